@@ -217,6 +217,7 @@ class _Chooser:
         categories = [{**category, "criteria": [
             {**criterion, "conditions": [{"quantity": symbol, "comparison": ">", "value": value}
                                          for symbol, value in limits[criterion["id"]].items()]}
+            if criterion["id"] in limits else criterion
             for criterion in category["criteria"]]} for category in content["categories"]]
         return profile_from({**content, "categories": categories, "probability": self._fit.content(chosen)})
 

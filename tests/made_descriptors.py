@@ -9,7 +9,7 @@ from thinpart_workbench.core.descriptors.local_distribution import local_distrib
 from thinpart_workbench.core.descriptors.region_kinds import PLATE, REGION_KINDS
 from thinpart_workbench.core.mesh.bounds import OrientedBox
 
-ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1}
+ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1, "ridge_ratio": 1.0}
 
 A_BLOCK = {"faces": 6, "shortest_edge_mm": 0.5, "short_edges": 0, "narrowest_face_mm": 0.3,
            "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0, "thin_x": 0.3}

@@ -64,7 +64,7 @@ def test_the_conditions_of_the_default_profile_are_stated(document):
         row = next(line for line in text(document).splitlines() if line.startswith(f"| {criterion.id} |"))
         for condition in criterion.conditions:
             named = f"{condition.quantity.symbol} {condition.comparison} {condition.value:g}"
-            assert named in row or named.replace("plate_ratio", "plate ratio") in row
+            assert named in row or named.replace("_ratio", " ratio") in row
 
 
 def test_the_probabilities_are_as_the_method_says():
@@ -72,7 +72,8 @@ def test_the_probabilities_are_as_the_method_says():
     for step in load_profile().content["probability"]["steps"]:
         assert f"s({step['intercept']:.2f} " in method
         for term in step["terms"]:
-            assert f"+ {term['weight']:g} " in method and term["quantity"] in method
+            sign = "+" if term["weight"] > 0 else "-"
+            assert f"{sign} {abs(term['weight']):g} " in method and term["quantity"] in method
 
 
 @pytest.mark.parametrize("document", ["README.md", "docs/method.md", "docs/limits.md", "ARCHITECTURE.md", "CONTRIBUTING.md",

@@ -2641,11 +2641,11 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall</source>
+        <source>Thinnest wall under the face</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall under the face</source>
+        <source>Thinnest wall, and how many places are about as thin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3413,6 +3413,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{} (edge, {}×)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3429,6 +3433,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{} (taper, {}×)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} (unsure)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3438,6 +3446,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} ({} times)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} ({}×)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4445,6 +4457,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Median of the local thickness, by the middle side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median thickness of the thinnest ribs, pins, teeth or thread on a solid core, by the middle side; 1 without any</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5513,6 +5529,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Thin plates nearly everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thin ribs, pins, teeth or a thread on a solid body</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2643,12 +2643,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ThinPart: {}</translation>
     </message>
     <message>
-        <source>Thinnest wall</source>
-        <translation>Dünnste Wand</translation>
-    </message>
-    <message>
         <source>Thinnest wall under the face</source>
         <translation>Dünnste Wand unter der Fläche</translation>
+    </message>
+    <message>
+        <source>Thinnest wall, and how many places are about as thin</source>
+        <translation>Dünnste Wand, und wie viele Stellen etwa so dünn sind</translation>
     </message>
     <message>
         <source>Thinnest wall, {}</source>
@@ -3415,6 +3415,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} (Kante)</translation>
     </message>
     <message>
+        <source>{} (edge, {}×)</source>
+        <translation>{} (Kante, {}×)</translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation>{} (in Suchen und Tabellen: {})</translation>
     </message>
@@ -3431,6 +3435,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} (Keil)</translation>
     </message>
     <message>
+        <source>{} (taper, {}×)</source>
+        <translation>{} (Keil, {}×)</translation>
+    </message>
+    <message>
         <source>{} (unsure)</source>
         <translation>{} (unsicher)</translation>
     </message>
@@ -3441,6 +3449,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} ({} times)</source>
         <translation>{} ({}-mal)</translation>
+    </message>
+    <message>
+        <source>{} ({}×)</source>
+        <translation>{} ({}×)</translation>
     </message>
     <message>
         <source>{} Refresh the libraries to go on.</source>
@@ -4448,6 +4460,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Median of the local thickness, by the middle side</source>
         <translation>Median der örtlichen Dicke, durch die mittlere Seite</translation>
+    </message>
+    <message>
+        <source>Median thickness of the thinnest ribs, pins, teeth or thread on a solid core, by the middle side; 1 without any</source>
+        <translation>Mittlere Dicke der dünnsten Rippen, Stifte, Zähne oder Gewinde auf einem massiven Kern, durch die mittlere Seite; 1 ohne solche</translation>
     </message>
     <message>
         <source>Median thickness of the thinnest wall region</source>
@@ -5516,6 +5532,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Fast überall dünne Platten</translation>
+    </message>
+    <message>
+        <source>Thin ribs, pins, teeth or a thread on a solid body</source>
+        <translation>Dünne Rippen, Stifte, Zähne oder ein Gewinde auf einem massiven Körper</translation>
     </message>
     <message>
         <source>Thin share</source>

@@ -2643,12 +2643,12 @@ Son volume est inconnu.</translation>
         <translation>ThinPart : {}</translation>
     </message>
     <message>
-        <source>Thinnest wall</source>
-        <translation>Paroi la plus mince</translation>
-    </message>
-    <message>
         <source>Thinnest wall under the face</source>
         <translation>Paroi la plus mince sous la face</translation>
+    </message>
+    <message>
+        <source>Thinnest wall, and how many places are about as thin</source>
+        <translation>Paroi la plus mince, et combien d’endroits sont à peu près aussi minces</translation>
     </message>
     <message>
         <source>Thinnest wall, {}</source>
@@ -3415,6 +3415,10 @@ Son volume est inconnu.</translation>
         <translation>{} (arête)</translation>
     </message>
     <message>
+        <source>{} (edge, {}×)</source>
+        <translation>{} (arête, {}×)</translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation>{} (dans les recherches et tableaux : {})</translation>
     </message>
@@ -3431,6 +3435,10 @@ Son volume est inconnu.</translation>
         <translation>{} (dépouille)</translation>
     </message>
     <message>
+        <source>{} (taper, {}×)</source>
+        <translation>{} (dépouille, {}×)</translation>
+    </message>
+    <message>
         <source>{} (unsure)</source>
         <translation>{} (incertain)</translation>
     </message>
@@ -3441,6 +3449,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} ({} times)</source>
         <translation>{} ({} fois)</translation>
+    </message>
+    <message>
+        <source>{} ({}×)</source>
+        <translation>{} ({}×)</translation>
     </message>
     <message>
         <source>{} Refresh the libraries to go on.</source>
@@ -4448,6 +4460,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Median of the local thickness, by the middle side</source>
         <translation>Médiane de l’épaisseur locale, par le côté médian</translation>
+    </message>
+    <message>
+        <source>Median thickness of the thinnest ribs, pins, teeth or thread on a solid core, by the middle side; 1 without any</source>
+        <translation>Épaisseur médiane des nervures, broches, dents ou du filetage les plus minces sur un noyau massif, rapportée au côté moyen ; 1 s’il n’y en a pas</translation>
     </message>
     <message>
         <source>Median thickness of the thinnest wall region</source>
@@ -5516,6 +5532,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Des plaques minces presque partout</translation>
+    </message>
+    <message>
+        <source>Thin ribs, pins, teeth or a thread on a solid body</source>
+        <translation>Nervures, broches, dents ou filetage minces sur un corps massif</translation>
     </message>
     <message>
         <source>Thin share</source>

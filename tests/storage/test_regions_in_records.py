@@ -39,7 +39,8 @@ def test_a_record_has_the_regions_and_their_counts(ribbed):
         ("plate", 2.0, 2), ("plate", 2.0, 2), ("block", 40.0, 4)]
     assert (regions["others"], regions["others_share"]) == (0, 0.0)
     assert ribbed["descriptors"]["regions"] == {
-        "thinnest_mm": 2.0, "count": 3, "plate": 2, "tube": 0, "bar": 0, "block": 1, "taper": 0, "tooth": 0}
+        "thinnest_mm": 2.0, "count": 3, "plate": 2, "tube": 0, "bar": 0, "block": 1, "taper": 0, "tooth": 0,
+        "ridge_ratio": 1.0}
     assert PART.fault(json.loads(json.dumps(ribbed)), "part") is None
     names = {face["face"] for face in ribbed["faces"]}
     assert all(set(region["faces"]) <= names for region in regions["listed"])

@@ -57,8 +57,9 @@ def test_the_worked_examples_are_true(folder):
     bracket = thinpart("classify", "parts/bent_sheet_bracket.step", "--regions").stdout
     assert "thin" in bracket and "plate, 2 mm thick" in bracket and "100 % of the volume" in bracket
     assert "normal" in thinpart("classify", "parts/block.step").stdout
-    paper = thinpart("classify", "parts/ribbed_block.step", "--profile", "paper", "--no-info").stdout
+    paper = thinpart("classify", "parts/flange.step", "--profile", "paper", "--no-info").stdout
     assert "thin_features" in paper
+    assert "normal" in thinpart("classify", "parts/flange.step", "--no-info").stdout
     assert "passes" in thinpart("classify", "parts/thin_walled_casting.step", "--check", "die_casting:zinc").stdout
 
 

@@ -26,7 +26,7 @@ def _ratio(part):
     return "-" if value is None else f"{value:.3f}"
 
 
-def thinnest_cell(thinnest, kind, walls):
+def thinnest_cell(thinnest, kind, walls, places):
     """The cell of the thinnest wall, str.
 
     Parameters
@@ -35,17 +35,20 @@ def thinnest_cell(thinnest, kind, walls):
         Of all walls, and apart from sharp edges.
     kind : str or None
         See `thinnest_kind`.
+    places : int or None
+        How many there are about as thin.
     """
     if thinnest is None:
         return "-"
     # Beside a sharp edge any part is thin: what it is compared by with others is its walls.
     more = f", wall {walls:.4g}" if thinnest < (walls or thinnest) else ""
-    return f"{thinnest:.4g} {kind or ''}".rstrip() + more
+    several = f" ({places}x)" if places and places > 1 else ""
+    return f"{thinnest:.4g} {kind or ''}".rstrip() + several + more
 
 
 def _thinnest(part):
-    walls = thinnest_figure(part, "walls_mm")
-    return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part), walls)
+    return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part),
+                         thinnest_figure(part, "walls_mm"), thinnest_figure(part, "places"))
 
 
 def _between(part):

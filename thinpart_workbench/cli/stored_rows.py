@@ -59,6 +59,7 @@ _COLUMNS = (
     TableColumn("Criteria", lambda part: ", ".join(part.criteria) or "none"),
     TableColumn("D1 x D2 x D3 mm", _box, True),
     TableColumn("V/VBB", _ratio, True),
-    TableColumn("Thinnest mm", lambda part: thinnest_cell(part.thinnest_mm, part.thinnest_at, part.walls_mm), True),
+    TableColumn("Thinnest mm", lambda part: thinnest_cell(part.thinnest_mm, part.thinnest_at, part.walls_mm, part.places),
+                True),
     TableColumn("Notes", _notes),
 )

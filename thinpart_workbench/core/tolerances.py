@@ -79,6 +79,7 @@ ELSEWHERE = (
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
     "core.descriptors.region_kinds",  # threads
+    "core.descriptors.ridges",  # pins, and cores that are thick beside ridges
     "core.forms.alignment",  # turns that are tried, points of two outlines that belong together
     "core.forms.comparison",  # geometry that is the same
     "core.forms.equal_faces",  # faces that are equal

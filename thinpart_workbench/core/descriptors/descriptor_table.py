@@ -30,6 +30,7 @@ from .quantity import (
     LocalShare,
     MiddleShare,
     Quantity,
+    RidgeRatio,
     WallDistance,
     middle_by_diagonal,
 )
@@ -80,8 +81,8 @@ class Descriptors:
     plate_share : float or None
         Share of the surface over plates and tubes; None in records of versions that did not measure it.
     regions : Mapping or None
-        Of the wall regions: ``thinnest_mm``, the least median, ``count``, and the number of each of
-        `REGION_KINDS`; None in records of versions that did not find them.
+        Of the wall regions: ``thinnest_mm``, the least median, ``count``, the number of each of
+        `REGION_KINDS`, and ``ridge_ratio``; None in records of versions that did not find them.
     hazards : Mapping or None
         What makes it hard to mesh, `HazardsRecord`; None for triangles without faces, and in records of versions that did
         not measure it.
@@ -273,6 +274,10 @@ QUANTITIES = (
              _of_regions(TAPER), keys=("regions", TAPER), in_table=False),
     Quantity("tooth_regions", "tooth_regions", "", "Number of wall regions that are teeth, of gears or threads",
              _of_regions(TOOTH), keys=("regions", TOOTH), in_table=False),
+    RidgeRatio("ridge_ratio", "ridge_ratio", "",
+               "Median thickness of the thinnest ribs, pins, teeth or thread on a solid core, by the middle side; "
+               "1 without any",
+               _of_regions("ridge_ratio"), keys=("regions", "ridge_ratio")),
     Quantity("face_count", "faces", "", "Number of faces", _of_hazards("faces"), keys=("hazards", "faces")),
     Quantity("edge_mm", "edge_mm", "mm", "Length of the shortest edge",
              _of_hazards("shortest_edge_mm"), keys=("hazards", "shortest_edge_mm")),

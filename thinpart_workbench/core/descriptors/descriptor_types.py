@@ -83,7 +83,8 @@ SampledShares.__doc__ = """F[a;b] for the ranges of x whose area shares the pape
 
 
 class RegionCounts(TypedDict):
-    """Median thickness of the thinnest wall region, number of all, and of each kind among those that are listed."""
+    """Median thickness of the thinnest wall region, number of all, and of each kind among those that are listed; and the
+    thinnest ridge, see `ridges.ridge_ratio`."""
 
     thinnest_mm: Optional[Length]
     count: Optional[int]
@@ -93,6 +94,7 @@ class RegionCounts(TypedDict):
     block: Optional[int]
     taper: Optional[int]
     tooth: Optional[int]
+    ridge_ratio: NotRequired[Annotated[Optional[Share], LATER]]
 
 
 class HazardsRecord(TypedDict):

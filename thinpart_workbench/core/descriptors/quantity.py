@@ -11,6 +11,7 @@ from ..kinds.value_kinds import LARGEST, LARGEST_WHOLE, Number, OrNull
 from ..tolerances import TOLERANCES
 from .bins import BINS
 from .descriptor_types import DescriptorsRecord
+from .equal_walls import SAME
 
 _BY_NAME = (None,)
 """Placeholder for the keys of a quantity whose only key is its name."""
@@ -103,6 +104,9 @@ class Quantity:
         descriptors : Descriptors
         """
         return relative
+
+    thin_where = ">"
+    """Comparison of the conditions on it that say that a part is thin."""
 
     def thin_bound(self, threshold, descriptors):
         """The x under which walls count as thin by a condition on this quantity: float, or None if it says nothing.
@@ -359,6 +363,7 @@ class WallDistance(Quantity):
     """The distance of the nearest walls at angles between two bounds, in diagonals."""
 
     is_wall_distance = True
+    thin_where = "<"
 
     @property
     def limits(self):
@@ -383,3 +388,23 @@ class WallDistance(Quantity):
 
     def _error(self, descriptors, precision, value):
         return (precision.wall_mm + precision.chord_mm) / descriptors.box.diagonal
+
+
+@dataclass(frozen=True)
+class RidgeRatio(Quantity):
+    """The thickness of what stands on a solid core, in units of D2."""
+
+    thin_where = "<"
+
+    @property
+    def limits(self):
+        """0 and 1."""
+        return 0.0, 1.0
+
+    def thin_bound(self, threshold, descriptors):
+        """The threshold, in diagonals."""
+        return threshold * middle_by_diagonal(descriptors.box)
+
+    def _error(self, descriptors, precision, value):
+        # What equal regions may differ by.
+        return SAME * value

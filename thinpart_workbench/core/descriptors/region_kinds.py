@@ -32,7 +32,7 @@ RIB_UP_TO, RIB_VOLUME = 6.0, 0.1
 """Height, in thicknesses, and share of the volume up to which a wall on a solid body is a rib."""
 
 CORE = 0.4
-"""Share of the volume from which a bulky region is the core of a part."""
+"""Share of the volume from which bulky regions are the core of a part."""
 
 
 def is_rib(kind, width, thickness, volume):

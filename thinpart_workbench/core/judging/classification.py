@@ -6,7 +6,7 @@ from typing import Optional
 
 from ..analysis_settings import MOST_TRIANGLES
 from ..categories import NORMAL, UNKNOWN
-from ..descriptors.quantity import MiddleShare
+from ..descriptors.quantity import MiddleShare, RidgeRatio
 from ..figures import Length
 from ..message import message
 
@@ -65,8 +65,8 @@ class Classification:
 
 def _thin_bound(checked, descriptors):
     condition = checked.condition
-    says_thin = "<" if condition.quantity.is_wall_distance else ">"
-    return condition.quantity.thin_bound(condition.value, descriptors) if condition.comparison == says_thin else None
+    quantity = condition.quantity
+    return quantity.thin_bound(condition.value, descriptors) if condition.comparison == quantity.thin_where else None
 
 
 def classify(descriptors, profile):
@@ -110,7 +110,8 @@ def _is_unsure(profile, category, margin, probabilities):
 def _thin_limit_x(decided_by, checked, descriptors):
     least = _least_bound(checked, descriptors, DEFAULT_THIN_LIMIT_X)
     limit = _least_bound(decided_by, descriptors, least)
-    if any(isinstance(row.condition.quantity, MiddleShare) for checked in decided_by for row in checked.conditions):
+    if any(isinstance(row.condition.quantity, (MiddleShare, RidgeRatio))
+           for checked in decided_by for row in checked.conditions):
         return limit  # what the verdict speaks of
     shares = descriptors.distribution
     if shares.share(0.0, least) >= 0.5 * shares.share(0.0, limit):

@@ -3,7 +3,7 @@
 
 from ..categories import NORMAL
 from ..descriptors.descriptor_table import quantity_named
-from ..descriptors.quantity import MiddleShare
+from ..descriptors.quantity import MiddleShare, RidgeRatio
 from ..figures import Length, Share
 from ..message import message
 from ..record.region_groups import region_groups
@@ -33,11 +33,20 @@ def verdict_sentence(record):
     by_walls = [(quantity, condition, row) for row in rows for condition in row["conditions"]
                 for quantity in [quantity_named(condition["quantity"])] if isinstance(quantity, MiddleShare)]
     if not by_walls:
-        return None
+        return _of_ridges(record, rows)
     # The least bound is the one below which walls are shown as thin.
     quantity, condition, row = min(by_walls, key=lambda found: found[0].bounds[1])
     plates = {each["quantity"]: each["value"] for each in row["conditions"]}
     return _of_walls(record, quantity, condition, plates)
+
+
+def _of_ridges(record, rows):
+    """What is said of a part with thin ridges on a solid core: Message; None where no criterion asks for them."""
+    width = record["descriptors"]["box_mm"][1]
+    limit = next((condition["threshold"] * width for row in rows for condition in row["conditions"]
+                  if isinstance(quantity_named(condition["quantity"]), RidgeRatio)), None)
+    found = None if limit is None else thin_features(region_groups(record), limit, width)
+    return None if found is None else _solid_but_for(record, found)
 
 
 def _of_walls(record, quantity, condition, plates):
@@ -62,14 +71,17 @@ def _of_walls(record, quantity, condition, plates):
 
 def _of_solid(record, condition, quantity):
     """What is said of a part that is not thin by a condition, and where the verdict is unsure, not surely solid: Message."""
-    is_unsure = bool(named_between(record))
     width = record["descriptors"]["box_mm"][1]
     found = features_of_a_solid(region_groups(record), quantity.bounds[1] * width, width)
-    if found is None:
-        walls = _walls_of_solid(record, condition, quantity)
-        return message("Neither clearly solid nor clearly thin: {walls}.", walls=walls) if is_unsure else message(
-            "Solid: {walls}: mesh it with solids.", walls=walls)
-    if is_unsure:
+    if found is not None:
+        return _solid_but_for(record, found)
+    walls = _walls_of_solid(record, condition, quantity)
+    return message("Neither clearly solid nor clearly thin: {walls}.", walls=walls) if named_between(record) else message(
+        "Solid: {walls}: mesh it with solids.", walls=walls)
+
+
+def _solid_but_for(record, found):
+    if named_between(record):
         return message("Neither clearly solid nor clearly thin: {walls}.", walls=found.words)
     if found.are_teeth:
         return message("Solid but for {features}: mesh it with solids, and refine there or suppress that.",

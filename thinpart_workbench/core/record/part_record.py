@@ -24,6 +24,7 @@ from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
 from .face_names import face_name
 from .record_types import EvidenceRow, MeshRiskRecord, PartRecord, ThinnestRecord, VerdictRecord
+from .region_groups import recorded_ridge_ratio
 
 SIGNIFICANT_DIGITS = 9
 """Number of digits that are written. Further ones are rounding errors and differ between processors."""
@@ -152,7 +153,7 @@ def descriptors_of(record: PartRecord):
         ),
         content["min_nonparallel"],
         content.get("plate_share"),  # records of earlier versions lack it
-        content.get("regions"),  # and this
+        _region_counts(record),
         _hazards_of(content.get("hazards")),
         precision=_precision_of(content.get("precision")),
         local=_local_of(content.get("local")),
@@ -160,6 +161,12 @@ def descriptors_of(record: PartRecord):
     of_side = max(wall["error_bound"], 2.0 * record.get("deflection_mm", 0.0))
     error = error_to_judge_with([(smallest_side(measured), of_side), (wall["min"], wall["error_bound"])])
     return replace(measured, length_error=error)
+
+
+def _region_counts(record):
+    """``regions`` of a record's ``descriptors``; None where the record has none. Earlier versions counted no ridges."""
+    counts = record["descriptors"].get("regions")
+    return counts if counts is None or "ridge_ratio" in counts else {**counts, "ridge_ratio": recorded_ridge_ratio(record)}
 
 
 def _parallel_wall(record):

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ..descriptors.equal_walls import WallSize, equal_groups
-from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, THREAD, TOOTH, called, is_rib, is_thread
-from ..descriptors.thread_pieces import are_pieces_of_a_thread
+from ..descriptors.region_kinds import TOOTH
+from ..descriptors.ridges import equal_walls, has_core, ridge_ratio
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -76,24 +76,37 @@ def region_groups(record, notes=None):
     listed = record.get("regions", {}).get("listed", [])
     found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
     said = [((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")) for note in found]
-    area, width = record["descriptors"]["area_mm2"], record["descriptors"]["box_mm"][1]
-    has_core = any(region["kind"] in (BLOCK, BAR) and (region["volume_share"] or 0.0) >= CORE for region in listed)
+    sizes = _sizes(record)
+    has_solid_core = has_core(sizes, [region["volume_share"] for region in listed])
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    groups = (_group([listed[number] for number in numbers], area, width, has_core, *said[numbers[0]])
-              for numbers in _equal_groups(record, said))
+    groups = (_group(record, numbers, sizes, has_solid_core, *said[numbers[0]])
+              for numbers in _equal_groups(record, sizes, said))
     return sorted(groups, key=lambda group: (group.least, -group.area))
 
 
 def equal_regions(record):
     """The listed regions of a part record, equal ones together, whatever people say: list of list of int, numbers from 0."""
-    return _equal_groups(record, [None] * len(record.get("regions", {}).get("listed", ())))
+    sizes = _sizes(record)
+    return _equal_groups(record, sizes, [None] * len(sizes))
 
 
-def _equal_groups(record, said):
+def recorded_ridge_ratio(record):
+    """The quantity ``ridge_ratio`` of a part record, from its listed regions: float; None where it has no such list."""
+    if "regions" not in record:
+        return None
+    listed = record["regions"]["listed"]
+    return ridge_ratio(_sizes(record), [region["volume_share"] for region in listed], [region["faces"] for region in listed],
+                       record["descriptors"]["box_mm"][1], record["descriptors"]["area_mm2"])
+
+
+def _equal_groups(record, sizes, said):
     listed = record.get("regions", {}).get("listed", ())
-    face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
-    sizes = [_size(region, face_areas) for region in listed]
     return equal_groups(sizes, said, [region["faces"] for region in listed], record["descriptors"]["box_mm"][1])
+
+
+def _sizes(record):
+    face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
+    return [_size(region, face_areas) for region in record.get("regions", {}).get("listed", ())]
 
 
 def features_of(group, record, features):
@@ -119,23 +132,19 @@ def _size(region, face_areas):
                     region["area_mm2"], tuple(sorted(face_areas[face] for face in region["faces"] if face in face_areas)))
 
 
-def _group(regions, area, width, has_core, excluded, mesh_size):
-    typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
-    is_one_thread = are_pieces_of_a_thread(
-        [(region["kind"], region["median"], region["length_mm"], region["faces"]) for region in regions], width)
-    length = sum(region["length_mm"] for region in regions) if is_one_thread else typical["length_mm"]
+def _group(record, numbers, sizes, has_solid_core, excluded, mesh_size):
+    regions = [record["regions"]["listed"][number] for number in numbers]
     shares = [region["volume_share"] for region in regions]
-    word = called(typical["kind"], len(regions))
-    if is_one_thread or is_thread(typical["kind"], length, typical["median"], width):
-        word = THREAD
-    elif has_core and is_rib(typical["kind"], typical["width_mm"], typical["median"], typical["volume_share"]):
-        word = RIB
+    own = [sizes[number] for number in numbers]
+    walls = equal_walls(own, shares, [region["faces"] for region in regions], record["descriptors"]["box_mm"][1],
+                        has_solid_core)
+    typical = regions[walls.typical]
     return RegionGroup(
-        TOOTH if is_one_thread else typical["kind"], 1 if is_one_thread else len(regions),
-        min(region["min"] for region in regions), typical["median"], length, typical["width_mm"],
+        TOOTH if walls.is_one_thread else typical["kind"], 1 if walls.is_one_thread else len(regions),
+        min(region["min"] for region in regions), typical["median"], walls.length, typical["width_mm"],
         None if None in shares else min(1.0, sum(shares)),
         tuple(sorted({face_number({"face": face}) for region in regions for face in region["faces"]})),
-        min(1.0, sum(region["area_mm2"] for region in regions) / area),
+        min(1.0, sum(region["area_mm2"] for region in regions) / record["descriptors"]["area_mm2"]),
         tuple(sorted((region["min"], region["witness"]["points"]) for region in regions if region.get("witness"))),
         sum(region["area_mm2"] for region in regions), tuple(regions), excluded, mesh_size,
-        word)
+        walls.word)

@@ -9,8 +9,10 @@ import numpy as np
 
 from ..descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
 from ..descriptors.distribution import distribution
+from ..descriptors.equal_walls import WallSize
 from ..descriptors.local_distribution import local_distribution
 from ..descriptors.precision import EXACT
+from ..descriptors.ridges import ridge_ratio
 from ..forms.equal_faces import equal_faces
 from ..mesh.bounds import minimal_box, principal_box
 from ..mesh.dominant_directions import dominant_directions
@@ -94,7 +96,10 @@ class Measurement:
         return self._with_regions(regions, thinnest=thinnest, places=places)
 
     def _with_regions(self, regions, **changes):
-        return replace(self, regions=regions, descriptors=replace(self.descriptors, regions=regions.counts), **changes)
+        mesh, known = self.field.mesh, self.descriptors
+        counts = {**regions.counts, "ridge_ratio": _ridge_ratio(
+            regions.listed, float(known.box.dimensions[1]), np.bincount(mesh.face_of_triangle, mesh.areas))}
+        return replace(self, regions=regions, descriptors=replace(known, regions=counts), **changes)
 
     @property
     def thinnest_mm(self):
@@ -215,8 +220,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
         balls_at_faces = _median_of_faces(mesh, field.face[counted], np.minimum(balls, across), field.area[counted])
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
-    descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
-                          local=local)
+    descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, local=local)
     places = ThinPlaces()
     if rays is not None and box.dimensions[2] > 0.0:
         places = thin_places(field, rays, float(box.dimensions[1]))
@@ -234,6 +238,12 @@ def _median_of_faces(mesh, face, thickness, area):
     found = np.full(int(mesh.face_of_triangle.max()) + 1, np.nan)
     found[faces] = thickness[np.minimum(np.searchsorted(covered, 0.5 * (before + covered[end])), end)]
     return found
+
+
+def _ridge_ratio(regions, width, face_areas):
+    sizes = [WallSize.of_region(region, face_areas) for region in regions]
+    return ridge_ratio(sizes, [region.volume_share for region in regions], [region.faces for region in regions], width,
+                       float(np.sum(face_areas)))
 
 
 def _with_least(known, least):

@@ -36,10 +36,10 @@ def measured(key, title, shown=length, **more):
 
 
 def thinnest_column(**more):
-    """The thinnest wall, and whether it is in a taper or beside a sharp edge."""
-    column = measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"), meaning=translate("ThinPart", "Thinnest wall"),
-                      **more)
-    return replace(column, text=lambda row, unit: marked_thinnest(column.shown(row, unit), row.thinnest_at))
+    """The thinnest wall, whether it is in a taper or beside a sharp edge, and how many places are about as thin."""
+    column = measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"),
+                      meaning=translate("ThinPart", "Thinnest wall, and how many places are about as thin"), **more)
+    return replace(column, text=lambda row, unit: marked_thinnest(column.shown(row, unit), row.thinnest_at, row.places))
 
 
 def risk_column():

@@ -91,8 +91,8 @@ def _columns(profile):
         Column("category", translate("ThinPart", "Category"), category, picture=_swatch, least=10),
         Column("thinnest_mm", translate("ThinPart", "Thinnest, {}"), _thinnest,
                lambda row, unit: "" if _thinnest(row) is None else marked_thinnest(
-                   unit.number(_thinnest(row)), thinnest_kind(row.record)), is_number=True,
-               has_unit=True, meaning=translate("ThinPart", "Thinnest wall")),
+                   unit.number(_thinnest(row)), thinnest_kind(row.record), _places(row)), is_number=True,
+               has_unit=True, meaning=translate("ThinPart", "Thinnest wall, and how many places are about as thin")),
         figures("instances", translate("ThinPart", "\u00d7"), lambda row: row.instances, count,
                 meaning=translate("ThinPart", "How often the part stands in the document")),
     ]
@@ -104,6 +104,10 @@ def _swatch(row):
 
 def _thinnest(row):
     return None if row.record is None else row.record["descriptors"]["thickness_mm"]["min"]
+
+
+def _places(row):
+    return (row.record.get("thinnest") or {"places": 1})["places"]
 
 
 def _cells(file, row):

@@ -132,8 +132,12 @@ def holds_text(holds):
         "ThinPart", "no")
 
 
-def marked_thinnest(text, kind):
-    """A text of the thinnest wall, and what that is; `kind` is that of `thinnest_kind`, or None."""
+def marked_thinnest(text, kind, places=1):
+    """A text of the thinnest wall, what that is, `kind` as of `thinnest_kind` or None, and how many places are so thin."""
+    if (places or 1) > 1:
+        words = {"taper": translate("ThinPart", "{} (taper, {}\u00d7)"),
+                 "edge": translate("ThinPart", "{} (edge, {}\u00d7)")}
+        return words.get(kind, translate("ThinPart", "{} ({}\u00d7)")).format(text, places)
     words = {"taper": translate("ThinPart", "{} (taper)"), "edge": translate("ThinPart", "{} (edge)")}
     return words.get(kind, "{}").format(text)
 
