@@ -22,7 +22,7 @@ from thinpart_workbench.core.forms.recorded_form import (
 from thinpart_workbench.core.forms.topology import topology
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.closest_points import closest_weights
-from thinpart_workbench.core.reuse.likeness import ALIKE, known_scale
+from thinpart_workbench.core.reuse.likeness import ALIKE, LIKE, known_scale
 from thinpart_workbench.core.reuse.likeness import kind_of as likeness
 from thinpart_workbench.core.thickness.measurement import measure
 
@@ -118,13 +118,13 @@ def test_scales_are_those_that_people_know(scale, known):
 
 def test_a_longer_part_is_alike_in_all_but_its_end():
     one, longer = form(letter(foot=0.0)), form(letter(24.0, foot=0.0), moved)
-    laid = laid_partly(one, longer)
+    laid = laid_partly(one, longer, LIKE)
     assert 0.6 < laid.least_share < 0.99 and likeness(laid, False) == ALIKE
     assert all(each.least_share < 0.95 for each in laid_whole(one, longer, 1.0, False))
 
 
 def test_parts_that_have_nothing_in_common_are_not_alike():
-    assert likeness(laid_partly(form(made_meshes.tube()), form(made_meshes.wedge())), False) is None
+    assert laid_partly(form(made_meshes.tube()), form(made_meshes.wedge()), LIKE) is None
 
 
 def test_a_motion_and_its_inverse_are_nothing():

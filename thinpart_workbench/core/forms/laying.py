@@ -101,20 +101,22 @@ def is_exact(laid, extent):
     return max(laid.distance.max(), laid.other_distance.max()) <= SAME_POINTS * extent
 
 
-def laid_partly(form, other, is_mirrored=False):
+def laid_partly(form, other, least_share):
     """The form laid upon another that is like it in places only: `Laid`, the one in which most is the same.
 
-    Besides centroid on centroid, their ends are laid upon each other along each principal axis.
+    Besides centroid on centroid, their ends are laid upon each other along each principal axis. None where no way has a
+    share of both surfaces that is the same.
     """
     motions = []
     axes = other.axes
     ends = _ends(other.outline.points @ axes)
-    for turn in likely_turns(form, other, 1.0, is_mirrored, _TURNS, any_axes=True):
+    for turn in likely_turns(form, other, 1.0, False, _TURNS, any_axes=True):
         own = _ends(form.outline.points @ turn.T @ axes)
         choices = [sorted({0.0, *(float(there[axis] - here[axis]) for here, there in zip(own, ends))}) for axis in range(3)]
         motions += [Motion(turn, 1.0, axes @ np.array(shift)) for shift in product(*choices)]
-    found = [_laid(form, other, motions[number]) for number in _nearest(form, other, motions)]
-    return min(found, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+    found = [_laid(form, other, motions[number], _SURELY_LESS * least_share) for number in _nearest(form, other, motions)]
+    return min((each for each in found if each is not None and each.least_share >= least_share),
+               key=lambda each: each.apart(_MOST_APART * SAME * other.extent), default=None)
 
 
 def _laid_in_order(form, other, motion):
@@ -173,7 +175,7 @@ def _ends(points):
     return points.min(axis=0), points.max(axis=0)
 
 
-def _laid(form, other, motion, least_share=0.0):
+def _laid(form, other, motion, least_share):
     """A form laid upon another: `Laid`; None where less than a share of the points that are fitted is the same."""
     size = max(motion.scale * form.extent, other.extent)
     few = form.thinned(_FITTED)

@@ -88,7 +88,7 @@ def _answer(task):
     job, read = read_snapshot(task.snapshot)
     part, reference = read(job["parts"][0]), part_of(task.reference)
     side, other = Side(task.form, part.nearest_points()), Side(task.reference.form, reference.nearest_points())
-    motion = laid_closely(side.asked(), other, laid_partly(task.form, task.reference.form).motion, _FITTED)
+    motion = laid_closely(side.asked(), other, laid_partly(task.form, task.reference.form, 0.0).motion, _FITTED)
     (mesh, error), (other_mesh, other_error) = _mesh(part), _mesh(reference)
     are_solids = part.can_be_finer and reference.can_be_finer
     tolerance = max((GEOMETRY_SAME if are_solids else TRIANGLES_SAME) * task.reference.form.extent,

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from ...core.forms.laying import Laid, each_laid, is_exact, laid_partly, laid_whole
 from ...core.reuse.likeness import (
     KINDS,
+    LIKE,
     SAME_MEASURE_OF_TRIANGLES,
     is_much_nearer,
     is_whole_by_outlines,
@@ -28,7 +29,10 @@ MOST_UNLIKE = 0.5
 """Distance of the logarithms of sizes up to which they are."""
 
 LIKE_SIDE = 1e-3
-"""Share by which a side of the box may differ that two parts have in common."""
+"""Share by which a side of the box, or the area of a face, may differ that two parts have in common."""
+
+LIKE_AREA = 0.25
+"""Share of the surface that faces have that two parts have in common, from which on they may be alike."""
 
 _FORMS_AT_HAND = 4096
 _TURNED_FIRST = 2
@@ -109,16 +113,16 @@ class LikeParts:
         size, partly = self._size(chosen), partly or self.partly
         tree, taken = cKDTree(size), set()
         for start in range(0, len(chosen), at_once):
-            pairs = []
-            for done in range(start, min(start + at_once, len(chosen))):
+            references, pairs = range(start, min(start + at_once, len(chosen))), []
+            _, near = tree.query(size[references], k=min(NEIGHBOURS + 1, len(chosen)), distance_upper_bound=MOST_UNLIKE)
+            for done, places in zip(references, near):
                 reference = chosen[done]
                 if report is not None:
                     report(done, len(chosen))
-                if reference in taken:
-                    continue
-                away, near = tree.query(size[done], k=min(NEIGHBOURS + 1, len(chosen)), distance_upper_bound=MOST_UNLIKE)
-                pairs += [(chosen[place], reference) for place in near[np.isfinite(away)] if place > done
-                          and chosen[place] not in taken and self._may_be_alike(chosen[place], reference)]
+                if reference not in taken:
+                    others = [chosen[place] for place in places if done < place < len(chosen)]  # none has the last number
+                    pairs += [(part, reference) for part in self._may_be_alike(
+                        [part for part in others if part not in taken], reference)]
             for (part, reference), found in zip(pairs, partly(pairs)):
                 if found is not None and part not in taken and reference not in taken:
                     taken.add(part)
@@ -140,8 +144,8 @@ class LikeParts:
             return min(found, key=lambda each: (KINDS.index(each.kind), each.laid.apart(np.inf)))
         away = np.linalg.norm(size - size[part], axis=1)
         away[part] = np.inf
-        partly = [self._partly(part, other) for other in np.argsort(away, kind="stable")[:NEIGHBOURS]
-                  if away[other] <= MOST_UNLIKE and self._may_be_alike(part, other)]
+        near = [other for other in np.argsort(away, kind="stable")[:NEIGHBOURS] if away[other] <= MOST_UNLIKE]
+        partly = [self._partly(part, other) for other in near if self._may_be_alike([part], other)]
         return max((each for each in partly if each is not None), key=lambda each: each.laid.least_share, default=None)
 
     def _size(self, parts):
@@ -197,25 +201,33 @@ class LikeParts:
         form, other = self._form(part), self._form(reference)
         if form is None or other is None:
             return None
-        laid = laid_partly(form, other)
-        kind = kind_of(laid, False)
-        return None if kind is None else Likeness(part, reference, kind, laid, (laid,))
+        laid = laid_partly(form, other, LIKE)
+        return None if laid is None else Likeness(part, reference, kind_of(laid, False), laid, (laid,))
 
-    def _may_be_alike(self, part, reference):
-        """Whether two parts have two sides of the box, or faces of a quarter of the surface, in common."""
-        sides, others = self._parts.sides[part], self._parts.sides[reference]
-        if (np.abs(sides[:, None] - others).min(axis=1) <= LIKE_SIDE * others.max()).sum() >= 2:
-            return True
-        return self._common_area(part, reference) >= 0.25
+    def _may_be_alike(self, parts, reference):
+        """Those of some parts, as a list, that have two sides of the box in common with another, or enough faces."""
+        if not parts:
+            return []
+        sides, others = self._parts.sides[parts], self._parts.sides[reference]
+        common = (np.abs(sides[:, :, None] - others).min(axis=2) <= LIKE_SIDE * others.max()).sum(axis=1)
+        open_ones = [part for part, count in zip(parts, common) if count < 2]
+        alike = dict(zip(open_ones, self._common_areas(open_ones, reference) >= LIKE_AREA))
+        return [part for part in parts if alike.get(part, True)]
 
-    def _common_area(self, part, reference):
-        own, other = self._areas(part), self._areas(reference)
-        if own is None or other is None:
-            return 0.0
-        place = np.searchsorted(other, own)
-        above, below = other[np.minimum(place, len(other) - 1)], other[np.maximum(place - 1, 0)]
-        nearest = np.minimum(np.abs(own - above), np.abs(own - below))
-        return float(own[nearest <= LIKE_SIDE * own].sum() / own.sum())
+    def _common_areas(self, parts, reference):
+        """Shares of the surfaces of some parts that faces have which are as large as one of a reference: ndarray."""
+        found, other = np.zeros(len(parts)), self._areas(reference) if parts else None
+        known = [number for number, part in enumerate(parts) if self._areas(part) is not None]
+        if known and other is not None:
+            areas = [self._areas(parts[number]) for number in known]
+            starts = np.cumsum([0, *map(len, areas[:-1])])
+            own = np.concatenate(areas)
+            place = np.searchsorted(other, own)
+            above, below = other[np.minimum(place, len(other) - 1)], other[np.maximum(place - 1, 0)]
+            nearest = np.minimum(np.abs(own - above), np.abs(own - below))
+            same = np.where(nearest <= LIKE_SIDE * own, own, 0.0)
+            found[known] = np.add.reduceat(same, starts) / np.add.reduceat(own, starts)
+        return found
 
     def _face_areas(self, part) -> Any:
         form = self._form(part)
