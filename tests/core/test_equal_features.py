@@ -139,6 +139,14 @@ def test_a_size_for_a_row_holds_for_all_of_its_walls_and_one_with_another_size_i
     assert sum(len(group.numbers) for group in groups) == len(measured.regions.listed)
 
 
+def test_rows_of_sizes_are_called_what_the_rows_of_walls_are():
+    measured = measure(surface_mesh(*made_meshes.ribbed_block()), FULL)
+    group, *_ = size_groups(measured, propose_sizes(measured, 10.0, LAYERED))
+    assert (group.word, group.kind, group.count) == ("rib", "plate", 1)
+    row, = PartSizing(measured, 10.0).proposed(LAYERED, {})["regions"]
+    assert (row["word"], row["count"]) == ("rib", 1)
+
+
 def test_rows_of_ribs_are_listed_beyond_twenty_and_none_is_left_out():
     found = measure(surface_mesh(*comb(ribs=40)), FULL).regions
     assert len(found.listed) == 41 and (found.others, found.others_share) == (0, 0.0)

@@ -88,6 +88,14 @@ def test_the_pieces_of_a_thread_are_one_row(others, words):
     assert all(group.word == "taper" for group in region_groups(few))
 
 
+def test_walls_of_several_thicknesses_are_none_thinner_than_the_thinnest():
+    record = made_library.measured_record("Sheets", made_meshes.joined(
+        made_meshes.box(100.0, 60.0, 2.01), made_meshes.moved(made_meshes.box(100.0, 60.0, 4.01), shift=(0.0, 0.0, 40.0))))
+    assert record["descriptors"]["thickness_mm"]["min"] == pytest.approx(2.01, abs=1e-6)
+    said = walls_it_is_made_of(record, [], 7.2)
+    assert str(said).startswith("Walls 2.01 mm to 4.") and said.template.startswith("Walls {low} to {high} thick")
+
+
 def test_more_than_three_are_summed_up():
     several = [group("plate", 1.0 + 0.3 * number, number + 1, share=0.2 - 0.01 * number) for number in range(5)]
     assert str(thin_features(several, 3.0, 60.0).words).endswith(" and 9 more")

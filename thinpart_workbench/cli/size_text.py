@@ -3,7 +3,6 @@
 
 import os
 
-from ..core.descriptors.region_kinds import called
 from ..core.foreign_text import printable
 from ..core.sizing.element_estimate import MANY_NODES
 from ..core.sizing.sizing_settings import MOST_ERROR
@@ -184,7 +183,7 @@ def _outcome(figures):
 
 _REGION_COLUMNS = (
     TableColumn("Region", lambda row: str(row["regions"][0]), True),
-    TableColumn("Kind", lambda row: (f"{row['count']} x " if row["count"] > 1 else "") + called(row["kind"], row["count"])),
+    TableColumn("Kind", lambda row: (f"{row['count']} x " if row["count"] > 1 else "") + row["word"]),
     TableColumn("Thickness mm", lambda row: _number(row["thickness"]), True),
     TableColumn("Width mm", lambda row: _number(row["width"]), True),
     TableColumn("Area mm2", lambda row: _number(row["area"]), True),

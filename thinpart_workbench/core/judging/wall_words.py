@@ -47,12 +47,13 @@ def walls_it_is_made_of(record, groups, limit):
     """
     walls = [group for group in groups if group.kind in (PLATE, TUBE)]
     by_thickness = _Distribution(record["descriptors"])
+    least = record["descriptors"]["thickness_mm"]["min"]
     if sum(group.area_share for group in walls) < MOST_OF_IT:
-        return _between(by_thickness, limit)
+        return _between(by_thickness, limit, least)
     largest = max(walls, key=lambda group: group.area_share)
     alike = by_thickness.about(largest.median)
     if alike < MOST_OF_IT:
-        return _between(by_thickness, limit)
+        return _between(by_thickness, limit, least)
     thickness, share = Length(largest.median), Share(alike)
     if largest.kind == TUBE:
         return message("{thickness} wall, {share} of the surface", thickness=thickness, share=share)
@@ -61,9 +62,10 @@ def walls_it_is_made_of(record, groups, limit):
     return message("{thickness} plate, {share} of the surface", thickness=thickness, share=share)
 
 
-def _between(by_thickness, limit):
-    """Walls of several thicknesses that most of the surface lies over: Message or None."""
+def _between(by_thickness, limit, least):
+    """Walls of several thicknesses that most of the surface lies over, none thinner than the thinnest: Message or None."""
     low, high, share = by_thickness.most(limit)
+    low = max(low, least or 0.0)  # a bin begins before the walls in it
     return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
                    share=Share(share)) if share >= MOST_OF_IT else None
 

@@ -7,6 +7,7 @@ from typing import Optional
 import numpy as np
 
 from ..descriptors.equal_walls import WallSize, equal_groups
+from ..descriptors.ridges import equal_walls, has_core
 from .sizing_settings import layers_of
 
 
@@ -18,9 +19,12 @@ class SizeGroup:
     ----------
     numbers : tuple of int
         Of the regions among those that are listed, from 0.
-    kind : str
+    kind, word : str
+        One of `REGION_KINDS`, and what people call it; see `ridges.equal_walls`.
+    count : int
+        How many there are; pieces of a thread are one.
     median, length, width : float, mm
-        Of the one that is neither the longest nor the shortest.
+        Of the one that is neither the longest nor the shortest; the length of a thread is that of all.
     least : float, mm
         Of all of them.
     area : float, mm2
@@ -37,6 +41,8 @@ class SizeGroup:
 
     numbers: tuple
     kind: str
+    word: str
+    count: int
     median: float
     length: float
     width: float
@@ -64,10 +70,14 @@ def size_groups(measurement, proposal):
     # What nobody wants is told from a wall that is switched off, which is None.
     said = [(number in wanted, wanted.get(number)) for number in range(len(listed))]
     sizes, faces = [WallSize.of_region(region, face_areas) for region in listed], [region.faces for region in listed]
-    groups = equal_groups(sizes, said, faces, measurement.box_mm[1])
+    shares, width = [region.volume_share for region in listed], measurement.box_mm[1]
+    on_core = has_core(sizes, shares)
+    walls = {tuple(numbers): equal_walls([sizes[number] for number in numbers], [shares[number] for number in numbers],
+                                         [faces[number] for number in numbers], width, on_core)
+             for numbers in equal_groups(sizes, said, faces, width)}
     sources, proposed = proposal.sources.below(proposal.global_size), {each.number: each for each in proposal.regions}
-    return [_group(numbers, listed, sources, [proposed[number] for number in numbers if number in proposed],
-                   proposal.settings.is_by_error) for numbers in groups]
+    return [_group(numbers, equal, listed, sources, [proposed[number] for number in numbers if number in proposed],
+                   proposal.settings.is_by_error) for numbers, equal in walls.items()]
 
 
 def median_size(sources, numbers):
@@ -76,15 +86,16 @@ def median_size(sources, numbers):
     return float(np.median(own)) if len(own) else None
 
 
-def _group(numbers, listed, sources, proposed, is_by_error):
-    regions = sorted((listed[number] for number in numbers), key=lambda region: region.length)
-    typical = regions[(len(regions) - 1) // 2]
+def _group(numbers, equal, listed, sources, proposed, is_by_error):
+    regions = [listed[number] for number in numbers]
+    typical = regions[equal.typical]
     size = layers = elements = None
     if proposed:
         size = median_size(sources, numbers)
         layers = layers_of(typical.median / size)
         layers = max(1.0, layers) if is_by_error else layers
         elements = sum(each.elements for each in proposed)
-    return SizeGroup(tuple(numbers), typical.kind, float(typical.median), float(typical.length), float(typical.width),
+    return SizeGroup(numbers, typical.kind, equal.word, 1 if equal.is_one_thread else len(numbers),
+                     float(typical.median), float(equal.length), float(typical.width),
                      float(min(region.least for region in regions)), float(sum(region.area for region in regions)),
                      tuple(sorted({int(face) for region in regions for face in region.faces})), size, layers, elements)

@@ -287,7 +287,7 @@ class MeshSizesController(MeasuringController):
 
         def label(row):
             return translate("ThinPart", "{} of {}: elements of {}").format(
-                counted_kind(row["kind"], len(row["regions"])), unit.text(row["thickness"]), unit.text(row["size"]))
+                counted_kind(row["word"], row["count"]), unit.text(row["thickness"]), unit.text(row["size"]))
 
         self._part.set_mesh(self._check, *self._request(), label,
                             analysis_to_join(self._document, self._part.owner, self._form.makes_analysis))

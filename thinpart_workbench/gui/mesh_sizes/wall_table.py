@@ -100,7 +100,7 @@ class WallSizesTable(CheckedWalls):
                    lambda wall, unit: unit.number(wall["size"]), is_number=True, has_unit=True, is_editable=is_on),
             if_on("layers", translate("ThinPart", "Layers"), lambda layers: marked(f"{layers:.3g}"), is_editable=is_on),
             if_on("elements", translate("ThinPart", "Elements"), grouped),
-            figures("count", translate("ThinPart", "Instances"), lambda wall: len(wall["regions"]), count, is_hidden=True),
+            figures("count", translate("ThinPart", "Instances"), lambda wall: wall["count"], count, is_hidden=True),
             figures("thickness_mm", translate("ThinPart", "Thick, {}"), lambda wall: wall["thickness"], length,
                     is_hidden=True),
         ]
@@ -118,7 +118,7 @@ class WallSizesTable(CheckedWalls):
 
 
 def _wall_text(wall, unit):
-    return f"{counted_kind(wall['kind'], len(wall['regions']))} {unit.text(wall['thickness'])}"
+    return f"{counted_kind(wall['word'], wall['count'])} {unit.text(wall['thickness'])}"
 
 
 def _number(text):

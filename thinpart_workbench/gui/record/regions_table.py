@@ -2,7 +2,7 @@
 """Table of the wall regions of a part, equal ones in one row."""
 
 from ...api.window.walls import grouped_walls
-from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, RIB, TAPER, THREAD, TOOTH, TUBE, called
+from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, RIB, TAPER, THREAD, TOOTH, TUBE
 from ...core.length_unit import MILLIMETRE
 from ..application.qt import Signal, translate
 from ..tables.column import Column, area, count, figures, length
@@ -104,15 +104,11 @@ def _columns(made_by=None):
 
 
 def _kind_text(group):
-    return _counted(group.word, group.count)
+    return counted_kind(group.word, group.count)
 
 
-def counted_kind(kind, count):
-    """What people call so many equal regions of a kind: "18 x tooth"."""
-    return _counted(called(kind, count), count)
-
-
-def _counted(word, count):
+def counted_kind(word, count):
+    """So many equal regions, by what people call them: "18 x tooth"."""
     return kind_word(word) if count == 1 else f"{count} \u00d7 {kind_word(word)}"
 
 

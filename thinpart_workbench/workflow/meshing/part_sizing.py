@@ -161,7 +161,8 @@ class PartSizing:
         """A row for equal regions of which one asks for a size, also for those that people have switched off."""
         sources = size_sources(self._measurement, self._thin_limit, settings, not settings.is_by_error).below(
             settings.global_size(self._measurement.descriptors.box.diagonal))
-        return [{"region": group.numbers[0], "regions": list(group.numbers), "kind": group.kind, "thickness": group.median,
-                 "thinnest": group.least, "faces": list(group.faces), "proposed_size": median_size(sources, group.numbers),
+        return [{"region": group.numbers[0], "regions": list(group.numbers), "kind": group.kind, "word": group.word,
+                 "count": group.count, "thickness": group.median, "thinnest": group.least,
+                 "faces": list(group.faces), "proposed_size": median_size(sources, group.numbers),
                  "size": group.size, "layers": group.layers, "elements": group.elements}
                 for group in size_groups(self._measurement, proposal) if median_size(sources, group.numbers) is not None]

@@ -2,7 +2,7 @@
 """The definition of what a worker proposes for a document. It is checked, since a malicious file may control its worker."""
 
 
-from ...core.descriptors.region_kinds import REGION_KINDS
+from ...core.descriptors.region_kinds import REGION_KINDS, RIB, THREAD
 from ...core.kinds.compound_kinds import ListOf, Record
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text, Whole
 from ...core.record.record_types import FAILURE
@@ -30,9 +30,10 @@ _REGION = Record({
 })
 
 _GROUP = Record({
-    "regions": ListOf(Whole(1), 1, 10_000), "count": Whole(1, 10_000), "kind": OneOf(REGION_KINDS), "thickness": _LENGTH,
-    "thinnest": _LENGTH, "area": _LENGTH, "length": _LENGTH, "width": _LENGTH, "faces": ListOf(Text(), most=1_000_000),
-    "size": _LENGTH, "layers": Number(0.0), "elements": _COUNT,
+    "regions": ListOf(Whole(1), 1, 10_000), "count": Whole(1, 10_000), "kind": OneOf(REGION_KINDS),
+    "word": OneOf((*REGION_KINDS, THREAD, RIB)), "thickness": _LENGTH, "thinnest": _LENGTH, "area": _LENGTH,
+    "length": _LENGTH, "width": _LENGTH, "faces": ListOf(Text(), most=1_000_000), "size": _LENGTH, "layers": Number(0.0),
+    "elements": _COUNT,
 })
 
 _IDEALISATION = Record({

@@ -209,9 +209,9 @@ def _region_row(each, group):
 
 
 def _group_row(group):
-    return {"regions": [number + 1 for number in group.numbers], "count": len(group.numbers), "kind": group.kind,
-            "thickness": _rounded(group.median), "thinnest": _rounded(group.least), "area": _rounded(group.area),
-            "length": _rounded(group.length), "width": _rounded(group.width),
+    return {"regions": [number + 1 for number in group.numbers], "count": group.count, "kind": group.kind,
+            "word": group.word, "thickness": _rounded(group.median), "thinnest": _rounded(group.least),
+            "area": _rounded(group.area), "length": _rounded(group.length), "width": _rounded(group.width),
             "faces": [f"Face{face + 1}" for face in group.faces], "size": _rounded(group.size),
             "layers": _rounded(group.layers), "elements": group.elements}
 
