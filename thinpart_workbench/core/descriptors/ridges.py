@@ -20,7 +20,7 @@ CORE_THICKNESS = 2.0
 """Thickness of a core, by that of a ridge on it, from which it is a solid body beside it."""
 
 
-class EqualWalls(NamedTuple):
+class WallRow(NamedTuple):
     """What equal wall regions are together.
 
     Attributes
@@ -55,8 +55,8 @@ def has_core(sizes, volume_shares, thickness=0.0):
                if size.kind in (BLOCK, BAR) and size.median >= thickness) >= CORE
 
 
-def equal_walls(sizes, volume_shares, faces, width, on_core):
-    """What equal regions are together: EqualWalls.
+def wall_row(sizes, volume_shares, faces, width, on_core):
+    """What equal regions are together: WallRow.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def equal_walls(sizes, volume_shares, faces, width, on_core):
         word = THREAD
     elif on_core and is_rib(size.kind, size.width, size.median, volume_shares[typical]):
         word = RIB
-    return EqualWalls(typical, is_one_thread, length, word)
+    return WallRow(typical, is_one_thread, length, word)
 
 
 def ridge_ratio(sizes, volume_shares, faces, width, surface):
@@ -101,9 +101,9 @@ def ridge_ratio(sizes, volume_shares, faces, width, surface):
     rows = []
     for numbers in equal_groups(sizes, [None] * len(sizes), faces, width):
         own, shares = [sizes[number] for number in numbers], [volume_shares[number] for number in numbers]
-        walls = equal_walls(own, shares, [faces[number] for number in numbers], width, on_core=True)
+        walls = wall_row(own, shares, [faces[number] for number in numbers], width, on_core=True)
         rows.append(_RidgeRow(own[walls.typical].median, len(own), sum(size.area for size in own),
-                         walls.word in (RIB, THREAD, TOOTH), _is_slim(own[walls.typical].kind, shares)))
+                              walls.word in (RIB, THREAD, TOOTH), _is_slim(own[walls.typical].kind, shares)))
     return min([NO_RIDGE, *(row.thickness / width for row in rows
                             if (row.is_ridge or _are_pins(row, rows)) and row.area >= LEAST_RIDGE_SHARE * surface
                             and has_core(sizes, volume_shares, CORE_THICKNESS * row.thickness))])

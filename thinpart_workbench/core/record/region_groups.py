@@ -6,7 +6,7 @@ from typing import Optional
 
 from ..descriptors.equal_walls import WallSize, equal_groups
 from ..descriptors.region_kinds import TOOTH
-from ..descriptors.ridges import equal_walls, has_core, ridge_ratio
+from ..descriptors.ridges import has_core, ridge_ratio, wall_row
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -136,7 +136,7 @@ def _group(record, numbers, sizes, has_solid_core, excluded, mesh_size):
     regions = [record["regions"]["listed"][number] for number in numbers]
     shares = [region["volume_share"] for region in regions]
     own = [sizes[number] for number in numbers]
-    walls = equal_walls(own, shares, [region["faces"] for region in regions], record["descriptors"]["box_mm"][1],
+    walls = wall_row(own, shares, [region["faces"] for region in regions], record["descriptors"]["box_mm"][1],
                         has_solid_core)
     typical = regions[walls.typical]
     return RegionGroup(

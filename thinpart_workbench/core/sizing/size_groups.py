@@ -7,7 +7,7 @@ from typing import Optional
 import numpy as np
 
 from ..descriptors.equal_walls import WallSize, equal_groups
-from ..descriptors.ridges import equal_walls, has_core
+from ..descriptors.ridges import has_core, wall_row
 from .sizing_settings import layers_of
 
 
@@ -20,7 +20,7 @@ class SizeGroup:
     numbers : tuple of int
         Of the regions among those that are listed, from 0.
     kind, word : str
-        One of `REGION_KINDS`, and what people call it; see `ridges.equal_walls`.
+        One of `REGION_KINDS`, and what people call it; see `ridges.wall_row`.
     count : int
         How many there are; pieces of a thread are one.
     median, length, width : float, mm
@@ -72,7 +72,7 @@ def size_groups(measurement, proposal):
     sizes, faces = [WallSize.of_region(region, face_areas) for region in listed], [region.faces for region in listed]
     shares, width = [region.volume_share for region in listed], measurement.box_mm[1]
     on_core = has_core(sizes, shares)
-    walls = {tuple(numbers): equal_walls([sizes[number] for number in numbers], [shares[number] for number in numbers],
+    walls = {tuple(numbers): wall_row([sizes[number] for number in numbers], [shares[number] for number in numbers],
                                          [faces[number] for number in numbers], width, on_core)
              for numbers in equal_groups(sizes, said, faces, width)}
     sources, proposed = proposal.sources.below(proposal.global_size), {each.number: each for each in proposal.regions}
