@@ -197,6 +197,13 @@ def test_equal_regions_count_as_one_of_the_list():
     assert len(found.listed) == 31 and (found.others, found.others_share) == (0, 0.0)
 
 
+def test_the_equals_of_the_thinnest_region_are_listed_however_small():
+    studs = [made_meshes.moved(made_meshes.box(4, 4, 4), shift=(10 * number, 0, 80)) for number in range(8)]
+    found = regions_of(made_meshes.joined(made_meshes.box(100, 60, 40), *studs))
+    assert [round(region.median, 6) for region in found.listed] == [4.0] * 8 + [40.0]
+    assert all(region.area < 0.005 * 25568.0 for region in found.listed[:8]) and found.others == 0
+
+
 def test_no_region_is_thinner_than_the_thinnest_wall():
     whole = measured(made_meshes.box(100, 80, 2))
     wall = whole.thinnest_wall

@@ -45,11 +45,6 @@ def listed_regions(points, component, area, size, median, surface, face_areas, r
     rows: list[_Row] = []
     for number in large:
         _add(rows, int(number), region_of(number), face_areas, is_new=len(rows) < MOST_LISTED)
-    # Of equal ones, some may be just too small, or have lost more points at their borders.
-    for number in np.flatnonzero(enough & (area >= COUNTED_SHARE * surface) & (area < LEAST_SHARE * surface)):
-        if any(abs(row.size.area - area[number]) <= SAME_AREA * row.size.area
-               and abs(row.size.median - median[number]) <= SAME_TAPER * row.size.median for row in rows):
-            _add(rows, int(number), region_of(number), face_areas, is_new=False)
     # The run-out of a wedge is thinner than anything, and no wall.
     parallel = np.bincount(component, points.area * is_parallel(points.wedge_angle), len(area)) > 0.5 * area
     walls = np.flatnonzero(enough & (area >= THINNEST_SHARE * surface) & parallel)
@@ -60,6 +55,11 @@ def listed_regions(points, component, area, size, median, surface, face_areas, r
         if not any(thinnest in row.regions for row in rows):
             del rows[MOST_LISTED - 1:]
             _add(rows, thinnest, region_of(thinnest), face_areas, is_new=True)
+    # Of equal ones, some may be just too small, or have lost more points at their borders.
+    for number in np.flatnonzero(enough & (area >= COUNTED_SHARE * surface) & (area < LEAST_SHARE * surface)):
+        if any(abs(row.size.area - area[number]) <= SAME_AREA * row.size.area
+               and abs(row.size.median - median[number]) <= SAME_TAPER * row.size.median for row in rows):
+            _add(rows, int(number), region_of(number), face_areas, is_new=False)
     return {number: region for row in rows for number, region in row.of_one_kind().items()}
 
 
