@@ -44,8 +44,8 @@ def honest():
         inner=part["inner"][:20], least_size=size, layers=2.0, sources=[[*part["inner"][0], size, 1.0]] * 2,
         regions=[{"region": 1, "kind": "plate", "thickness": 1.0, "thinnest": 0.9, "area": 9.0, "length": 3.0, "width": 3.0,
                   "faces": ["Face1", "Face2"], "size": size, "layers": 2.0, "elements": 40, "group": 1}],
-        region_groups=[{"regions": [1], "count": 1, "kind": "plate", "thickness": 1.0, "thinnest": 0.9, "area": 9.0,
-                        "length": 3.0, "width": 3.0, "faces": ["Face1", "Face2"], "size": size, "layers": 2.0,
+        region_groups=[{"regions": [1], "count": 1, "kind": "plate", "word": "plate", "thickness": 1.0, "thinnest": 0.9,
+                        "area": 9.0, "length": 3.0, "width": 3.0, "faces": ["Face1", "Face2"], "size": size, "layers": 2.0,
                         "elements": 40}],
         gmsh_options=[{"name": "Mesh.Algorithm", "value": 5}])
     part["shell"].update(
