@@ -137,7 +137,7 @@ def thin_features(groups, limit, width):
     if not thin:
         return None
     bulky = [group.volume_share or 0.0 for group in groups if group.kind in (BLOCK, BAR) and not _is_thin(group, limit)]
-    has_core = max(bulky, default=0.0) >= CORE
+    has_core = sum(bulky) >= CORE
     features = _features(thin, width)
     named = features[:_MOST_NAMED]
     thinnest = min(features, key=lambda feature: feature.least)
