@@ -137,7 +137,7 @@ def _group(record, numbers, sizes, has_solid_core, excluded, mesh_size):
     shares = [region["volume_share"] for region in regions]
     own = [sizes[number] for number in numbers]
     walls = wall_row(own, shares, [region["faces"] for region in regions], record["descriptors"]["box_mm"][1],
-                        has_solid_core)
+                     has_solid_core)
     typical = regions[walls.typical]
     return RegionGroup(
         TOOTH if walls.is_one_thread else typical["kind"], 1 if walls.is_one_thread else len(regions),

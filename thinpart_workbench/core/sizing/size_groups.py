@@ -73,7 +73,7 @@ def size_groups(measurement, proposal):
     shares, width = [region.volume_share for region in listed], measurement.box_mm[1]
     on_core = has_core(sizes, shares)
     walls = {tuple(numbers): wall_row([sizes[number] for number in numbers], [shares[number] for number in numbers],
-                                         [faces[number] for number in numbers], width, on_core)
+                                      [faces[number] for number in numbers], width, on_core)
              for numbers in equal_groups(sizes, said, faces, width)}
     sources, proposed = proposal.sources.below(proposal.global_size), {each.number: each for each in proposal.regions}
     return [_group(numbers, equal, listed, sources, [proposed[number] for number in numbers if number in proposed],
