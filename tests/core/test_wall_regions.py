@@ -91,6 +91,11 @@ KNOWN = {
     "torus": (ring(), [("bar", 8, 60 * np.pi, 4 * np.pi, 1)]),
     "spring": (spring(), [("bar", 2, TURNS, np.pi, 1)]),
     "washer": (washer(), [("plate", 2, 15.25 * np.pi, 4.75, 1)]),
+    "washer M3": (washer(1.6, 3.5, 0.5), [("plate", 0.5, 7, None, 1)]),
+    "low tube": (washer(8, 10, 3), [("bar", 2, 18 * np.pi, None, None)]),
+    "wall round a bore": (made_meshes.revolved(
+        [(0, 0), (20, 0), (20, 25), (5, 25), (5, 28), (3, 28), (3, 25), (0, 25)]),
+        [("bar", 2, 8 * np.pi, None, None), ("block", 25, 40, None, None)]),
     "disc with a bore": (washer(10, 50, 5), [("plate", 5, 100, 75.4, 1)]),
     "shell": (made_meshes.spherical_shell(20, 1, 60), [("plate", 1, None, None, 1)]),
     "ball": (made_meshes.sphere(20, 60), [("block", 40, 40, 20 * np.pi, 1)]),

@@ -35,6 +35,9 @@ TUBE_SECTORS, TUBE_LENGTHS, TUBE_COVERED = 36, 8, 0.9
 """Sectors around its axis and slices along it that a tube's wall has to be in, seen from inside and outside: a slit or
 windows of up to a tenth of it are allowed."""
 
+FEWEST_SECTORS = 12
+"""Sectors that a tube or a ring of few samples is divided into."""
+
 HOLLOW = 0.6
 """Least distance of a tube's walls from its axis, in thicknesses: of a round one, 0.5 is a bar."""
 
@@ -47,9 +50,12 @@ LONG_TUBE = 0.7
 BENT = 1.2
 """Way along a region by the diagonal of its box from which it is bent and measured along the way."""
 
-RING_FROM = 8.0
+RING_FROM = 9.0
 """Length by width from which what goes round a hole is a ring, as long as its way round; 9.4 of a washer twice as wide as
-its hole, while a disc with a bore is a disc."""
+its hole, while a disc with a bore is a disc, and so is a tab with a screw hole, which has 8."""
+
+FLAT = 0.9
+"""Mean squared cosine between a region's normals and one direction from which it is flat, so that only its outline bends."""
 
 BAND, MORE_BANDS = (0.4, 0.6), ((0.3, 0.4), (0.6, 0.7))
 """Shares of the way along a region at which it is looked at across: a ring goes two ways half-way along, and before that or
@@ -66,6 +72,8 @@ _DIRECTIONS = spread_directions(150).astype(np.float32)
 _ANGLES = np.radians(np.arange(0.0, 90.0, 1.0))
 _TURNED = np.concatenate([np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)]),
                           np.column_stack([-np.sin(_ANGLES), np.cos(_ANGLES)])])
+_POINTS_IN_SECTOR, _SIDE_IN_SECTOR = 20, 3
+_FEWEST_OF_TUBE = 4 * FEWEST_SECTORS
 _PROBED, _AMONG, _FEWEST_IN_CELL = 40, 1500, 8
 _ROUND = 1.0
 """Radius, in thicknesses, in which the sides of a bar are looked at."""
@@ -80,7 +88,7 @@ class RegionShape:
     kind : str
         One of `REGION_KINDS`.
     length : float, mm
-        Along a bent region and round a ring; along the axis of a tube.
+        Along a bent region and round a ring, which a short tube is; along the axis of a longer one.
     width : float, mm
         Developed: half of the area by the length.
     volume : float, mm3
@@ -165,8 +173,9 @@ def _length(points, links, area, thickness, closer_links):
     axis = _tube_axis(points)
     if axis is not None:
         axial = float(np.ptp(points.points @ axis) * (count + 1) / (count - 1))
-        if axial >= PLATE_FROM * thickness and area <= 2.0 * axial * MOST_FOLDED * _way_about(points, axis):
-            return axial, True
+        if area <= 2.0 * axial * MOST_FOLDED * _way_about(points.points, axis):
+            is_tube = axial >= PLATE_FROM * thickness
+            return axial if is_tube else _way_about(points.middle, axis), is_tube
     size = _box(points) * (count + 1) / (count - 1)
     bent = _bent_length(points, links, area, size)
     if bent is not None and closer_links is not None:
@@ -182,6 +191,8 @@ def _bent_length(points, links, area, size):
     if _arms_apart(points, links, band, LEAST_ARM) > 0.0:
         ring = _way_round(points, along)
         width = area / (2.0 * ring)
+        if ring < RING_FROM * width and _flatness(points) >= FLAT:
+            return None  # the way along a tab with a hole leads round the hole, as if it were bent
         apart = max(_arms_apart(points, links, _band(way, shares), LEAST_FURTHER_ARM) for shares in MORE_BANDS)
         if ring >= RING_FROM * width and apart >= ARMS_APART * width:
             return ring, False
@@ -193,6 +204,12 @@ def _bent_length(points, links, area, size):
         return axial, True
     # The longest way over a developed strip is its diagonal.
     return float(np.sqrt(0.5 * (along**2 + np.sqrt(max(along**4 - area**2, 0.0))))), False
+
+
+def _flatness(points):
+    """Share of a region's normals, squared, along one direction: 1 of a flat plate, 1/2 of a tube."""
+    return float(np.linalg.eigvalsh(np.einsum("i,ij,ik->jk", points.area, points.normals, points.normals))[-1]
+                 / points.area.sum())
 
 
 def _box(points):
@@ -221,8 +238,8 @@ def _across(axes):
 
 def _tube_axis(points):
     """Axis of a tube, ndarray of shape (3,); None where the region is none."""
-    if len(points.sample) < TUBE_SECTORS:
-        return None  # not even one in each sector; between the parts of a region that has a gap, there may be none at all
+    if len(points.sample) < _FEWEST_OF_TUBE:
+        return None  # between the parts of a region that has a gap, there may be none at all
     area = points.area / points.area.sum()
     shares, axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", area, points.normals, points.normals))
     if shares[0] > TUBE_AXIS:
@@ -233,20 +250,26 @@ def _tube_axis(points):
     radius = np.linalg.norm(middle, axis=1)
     if np.quantile(radius, 0.02) < HOLLOW * area_median(points.thickness, points.area):
         return None
-    sector = ((np.arctan2(middle[:, 1], middle[:, 0]) / (2.0 * np.pi) + 0.5) * TUBE_SECTORS).astype(int) % TUBE_SECTORS
+    sectors = _sectors(len(points.sample), 2 * _SIDE_IN_SECTOR)
+    sector = ((np.arctan2(middle[:, 1], middle[:, 0]) / (2.0 * np.pi) + 0.5) * sectors).astype(int) % sectors
     inward = np.einsum("ij,ij->i", points.normals @ flat, middle) < 0.0
     along = points.points @ axes[:, 0]
     if not np.ptp(along):
         return None  # one row of points about an axis has no length
-    slices = int(np.clip(len(along) / (2 * TUBE_SECTORS * _FEWEST_IN_CELL), 1, TUBE_LENGTHS))
-    cell = np.minimum((along - along.min()) / np.ptp(along) * slices, slices - 1).astype(int) * TUBE_SECTORS + sector
+    slices = int(np.clip(len(along) / (2 * sectors * _FEWEST_IN_CELL), 1, TUBE_LENGTHS))
+    cell = np.minimum((along - along.min()) / np.ptp(along) * slices, slices - 1).astype(int) * sectors + sector
     covered = [len(np.unique(cell[side])) for side in (inward, ~inward)]
-    return axes[:, 0] if min(covered) >= TUBE_COVERED * TUBE_SECTORS * slices else None
+    return axes[:, 0] if min(covered) >= TUBE_COVERED * sectors * slices else None
+
+
+def _sectors(count, in_each):
+    """Sectors that so many points can be counted in: int."""
+    return int(np.clip(count / in_each, FEWEST_SECTORS, TUBE_SECTORS))
 
 
 def _way_about(points, axis):
-    """Way about the region, tightly, across an axis, mm: float."""
-    flat = points.points @ np.concatenate(_across(axis[None])).T
+    """Way about points, tightly, across an axis, mm: float."""
+    flat = points @ np.concatenate(_across(axis[None])).T
     return float(ConvexHull(flat).area)  # of what is flat, scipy calls the perimeter so
 
 
@@ -285,12 +308,14 @@ def _way_round(points, along):
     centred = points.middle - np.average(points.middle, axis=0, weights=points.area)
     axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", points.area, centred, centred))[1]
     angle = np.arctan2(centred @ axes[:, 1], centred @ axes[:, 2])
-    sector = ((angle / (2.0 * np.pi) + 0.5) * TUBE_SECTORS).astype(int) % TUBE_SECTORS
+    # With few points in each, the way from middle to middle of the sectors would be a zigzag.
+    sectors = _sectors(len(angle), _POINTS_IN_SECTOR)
+    sector = ((angle / (2.0 * np.pi) + 0.5) * sectors).astype(int) % sectors
     # By radius, not by area, of which there is more outside.
     by_radius = points.area / np.maximum(np.linalg.norm(centred @ axes[:, 1:], axis=1), 1e-9 * along)
-    weight = np.bincount(sector, by_radius, TUBE_SECTORS)
+    weight = np.bincount(sector, by_radius, sectors)
     if not weight.all():
         return 2.0 * along
-    corners = np.stack([np.bincount(sector, by_radius * centred[:, k], TUBE_SECTORS) for k in range(3)], axis=1)
+    corners = np.stack([np.bincount(sector, by_radius * centred[:, k], sectors) for k in range(3)], axis=1)
     corners /= weight[:, None]
     return float(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum())
