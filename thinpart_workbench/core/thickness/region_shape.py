@@ -72,7 +72,7 @@ _DIRECTIONS = spread_directions(150).astype(np.float32)
 _ANGLES = np.radians(np.arange(0.0, 90.0, 1.0))
 _TURNED = np.concatenate([np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)]),
                           np.column_stack([-np.sin(_ANGLES), np.cos(_ANGLES)])])
-_POINTS_IN_SECTOR, _SIDE_IN_SECTOR = 20, 3
+_IN_SECTOR_OF_TUBE, _IN_SECTOR_OF_RING = 6, 20
 _FEWEST_OF_TUBE = 4 * FEWEST_SECTORS
 _PROBED, _AMONG, _FEWEST_IN_CELL = 40, 1500, 8
 _ROUND = 1.0
@@ -208,8 +208,11 @@ def _bent_length(points, links, area, size):
 
 def _flatness(points):
     """Share of a region's normals, squared, along one direction: 1 of a flat plate, 1/2 of a tube."""
-    return float(np.linalg.eigvalsh(np.einsum("i,ij,ik->jk", points.area, points.normals, points.normals))[-1]
-                 / points.area.sum())
+    return float(np.linalg.eigvalsh(_tensor(points.area, points.normals))[-1] / points.area.sum())
+
+
+def _tensor(area, vectors):
+    return np.einsum("i,ij,ik->jk", area, vectors, vectors)
 
 
 def _box(points):
@@ -217,8 +220,7 @@ def _box(points):
     reach = _DIRECTIONS @ (points.points - points.points[0]).T.astype(np.float32)
     corners = points.points[np.unique([np.argmin(reach, axis=1), np.argmax(reach, axis=1)])]
     centred = points.points - np.average(points.points, axis=0, weights=points.area)
-    tensors = [np.einsum("i,ij,ik->jk", points.area, rows, rows) for rows in (centred, points.normals)]
-    axes = np.concatenate([*(np.linalg.eigh(tensor)[1].T for tensor in tensors),
+    axes = np.concatenate([*(np.linalg.eigh(_tensor(points.area, rows))[1].T for rows in (centred, points.normals)),
                            dominant_directions(points.normals, points.area, _DOMINANT)])
     # About each axis, the sides at all angles; those across them come a right angle later.
     around = _TURNED @ np.stack(_across(axes), axis=1)
@@ -241,7 +243,7 @@ def _tube_axis(points):
     if len(points.sample) < _FEWEST_OF_TUBE:
         return None  # between the parts of a region that has a gap, there may be none at all
     area = points.area / points.area.sum()
-    shares, axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", area, points.normals, points.normals))
+    shares, axes = np.linalg.eigh(_tensor(area, points.normals))
     if shares[0] > TUBE_AXIS:
         return None
     flat = np.concatenate(_across(axes[:, :1].T)).T
@@ -250,8 +252,7 @@ def _tube_axis(points):
     radius = np.linalg.norm(middle, axis=1)
     if np.quantile(radius, 0.02) < HOLLOW * area_median(points.thickness, points.area):
         return None
-    sectors = _sectors(len(points.sample), 2 * _SIDE_IN_SECTOR)
-    sector = ((np.arctan2(middle[:, 1], middle[:, 0]) / (2.0 * np.pi) + 0.5) * sectors).astype(int) % sectors
+    sectors, sector = _sectors(middle[:, 0], middle[:, 1], _IN_SECTOR_OF_TUBE)
     inward = np.einsum("ij,ij->i", points.normals @ flat, middle) < 0.0
     along = points.points @ axes[:, 0]
     if not np.ptp(along):
@@ -262,9 +263,10 @@ def _tube_axis(points):
     return axes[:, 0] if min(covered) >= TUBE_COVERED * sectors * slices else None
 
 
-def _sectors(count, in_each):
-    """Sectors that so many points can be counted in: int."""
-    return int(np.clip(count / in_each, FEWEST_SECTORS, TUBE_SECTORS))
+def _sectors(x, y, in_each):
+    """Into how many sectors points are divided, with about so many in each, and the number of the sector of each point."""
+    count = int(np.clip(len(x) / in_each, FEWEST_SECTORS, TUBE_SECTORS))
+    return count, ((np.arctan2(y, x) / (2.0 * np.pi) + 0.5) * count).astype(int) % count
 
 
 def _way_about(points, axis):
@@ -306,11 +308,9 @@ def _arms_apart(points, links, band, least_arm):
 def _way_round(points, along):
     """Way round the hole of a ring, mm."""
     centred = points.middle - np.average(points.middle, axis=0, weights=points.area)
-    axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", points.area, centred, centred))[1]
-    angle = np.arctan2(centred @ axes[:, 1], centred @ axes[:, 2])
+    axes = np.linalg.eigh(_tensor(points.area, centred))[1]
     # With few points in each, the way from middle to middle of the sectors would be a zigzag.
-    sectors = _sectors(len(angle), _POINTS_IN_SECTOR)
-    sector = ((angle / (2.0 * np.pi) + 0.5) * sectors).astype(int) % sectors
+    sectors, sector = _sectors(centred @ axes[:, 2], centred @ axes[:, 1], _IN_SECTOR_OF_RING)
     # By radius, not by area, of which there is more outside.
     by_radius = points.area / np.maximum(np.linalg.norm(centred @ axes[:, 1:], axis=1), 1e-9 * along)
     weight = np.bincount(sector, by_radius, sectors)
