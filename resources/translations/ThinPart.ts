@@ -6488,6 +6488,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thread {least} to {thickness} thick, with a run-out to a sharp edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7108,7 +7112,11 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{process}: fails: {faces} Other faces: {check}</source>
+        <source>{process}: fails: {faces} All other faces pass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{process}: fails: {faces} Of all other faces it cannot be told.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

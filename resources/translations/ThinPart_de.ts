@@ -6490,6 +6490,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Gewinde von {least} bis {thickness}</translation>
     </message>
     <message>
+        <source>thread {least} to {thickness} thick, with a run-out to a sharp edge</source>
+        <translation>Gewinde von {least} bis {thickness}, mit Auslauf in eine scharfe Kante</translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation>Zahn</translation>
     </message>
@@ -7110,8 +7114,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{process}: nicht bestanden, aber nur wo Wände in scharfen Kanten enden: {findings}.</translation>
     </message>
     <message>
-        <source>{process}: fails: {faces} Other faces: {check}</source>
-        <translation>{process}: durchgefallen: {faces} Andere Flächen: {check}</translation>
+        <source>{process}: fails: {faces} All other faces pass.</source>
+        <translation>{process}: nicht bestanden: {faces} Alle anderen Flächen bestehen.</translation>
+    </message>
+    <message>
+        <source>{process}: fails: {faces} Of all other faces it cannot be told.</source>
+        <translation>{process}: nicht bestanden: {faces} Von allen anderen Flächen lässt es sich nicht sagen.</translation>
     </message>
     <message>
         <source>{process}: fails: {findings}.</source>

@@ -3304,7 +3304,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>taper</source>
-        <translation>coin</translation>
+        <translation>dépouille</translation>
     </message>
     <message>
         <source>the current view</source>
@@ -6355,7 +6355,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>taper</source>
-        <translation>coin</translation>
+        <translation>dépouille</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
@@ -6488,6 +6488,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>thread {least} to {thickness} thick</source>
         <translation>filet de {least} à {thickness}</translation>
+    </message>
+    <message>
+        <source>thread {least} to {thickness} thick, with a run-out to a sharp edge</source>
+        <translation>filet de {least} à {thickness}, qui finit en arête vive</translation>
     </message>
     <message>
         <source>tooth</source>
@@ -7110,8 +7114,12 @@ Son volume est inconnu.</translation>
         <translation>{process} : échec, mais seulement là où des parois finissent en arêtes vives : {findings}.</translation>
     </message>
     <message>
-        <source>{process}: fails: {faces} Other faces: {check}</source>
-        <translation>{process} : échoue : {faces} Autres faces : {check}</translation>
+        <source>{process}: fails: {faces} All other faces pass.</source>
+        <translation>{process} : échec : {faces} Toutes les autres faces sont conformes.</translation>
+    </message>
+    <message>
+        <source>{process}: fails: {faces} Of all other faces it cannot be told.</source>
+        <translation>{process} : échec : {faces} Pour toutes les autres faces, c’est indécidable.</translation>
     </message>
     <message>
         <source>{process}: fails: {findings}.</source>

@@ -96,6 +96,9 @@ KNOWN = {
     "wall round a bore": (made_meshes.revolved(
         [(0, 0), (20, 0), (20, 25), (5, 25), (5, 28), (3, 28), (3, 25), (0, 25)]),
         [("bar", 2, 8 * np.pi, None, None), ("block", 25, 40, None, None)]),
+    "notched tab": (profile((0, 0), (12, 0), (12, 8), (6.6, 8), (6.6, 1.2), (5.4, 1.2), (5.4, 8), (0, 8), length=1),
+                    [("plate", 1, 12, 7.4, 1)]),
+    "flat angle": (profile((0, 0), (60, 0), (60, 6), (6, 6), (6, 60), (0, 60), length=1), [("plate", 1, 112, 6.1, 1)]),
     "disc with a bore": (washer(10, 50, 5), [("plate", 5, 100, 75.4, 1)]),
     "shell": (made_meshes.spherical_shell(20, 1, 60), [("plate", 1, None, None, 1)]),
     "ball": (made_meshes.sphere(20, 60), [("block", 40, 40, 20 * np.pi, 1)]),

@@ -2,15 +2,18 @@
 """Walls in the words of a workshop."""
 
 import math
+from dataclasses import replace
 
 import made_library
 import made_meshes
 import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.descriptors.equal_walls import WallSize
 from thinpart_workbench.core.descriptors.region_kinds import called, is_rib
+from thinpart_workbench.core.descriptors.ridges import wall_row
 from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence
-from thinpart_workbench.core.judging.wall_words import features_of_a_solid, thin_features, walls_it_is_made_of
+from thinpart_workbench.core.judging.wall_words import features_of_a_solid, run_out_of, thin_features, walls_it_is_made_of
 from thinpart_workbench.core.record.region_groups import RegionGroup, region_groups
 
 
@@ -53,6 +56,26 @@ def test_a_thread_is_told_from_teeth_by_its_turns():
     few = thin_features([core, group("tooth", 5.4, 4, least=1.0)], 2.0, 20.0)
     assert (few.words, few.are_teeth) == ("4 tapers 1 mm to 5.4 mm thick", False)
     assert thin_features([core, group("tooth", 7.0, least=1.0)], 2.0, 20.0) is None  # a body that ends in an edge
+
+
+def test_a_thread_says_that_it_runs_out_into_a_sharp_edge():
+    thread = replace(group("tooth", 5.4, least=2.6, length=5 * math.pi * 42.0), faces=(3, 4))
+    core = group("bar", 20.0, share=0.5, volume=0.8)
+    place = {"kind": "edge", "face": "Face8", "witness": {"opposite_face": "Face4"}}
+    assert run_out_of({"thinnest": place}) == {7, 3}
+    assert not any(map(run_out_of, ({"thinnest": {**place, "kind": "tapered"}}, {"thinnest": None}, {})))
+    said = [str(thin_features([core, thread], 5.0, 42.0, faces).words) for faces in ({7, 3}, {7, 8}, set())]
+    assert said == ["thread 2.6 mm to 5.4 mm thick, with a run-out to a sharp edge", *2 * ["thread 2.6 mm to 5.4 mm thick"]]
+
+
+def test_equal_bars_that_get_thinner_are_teeth():
+    teeth, pins = ([WallSize("bar", least, 6.9, 32.0, 9.6, 610.0, (30.0, 200.0))] * 18 for least in (4.9, 6.9))
+    faces = [(number,) for number in range(18)]
+    words = [wall_row(sizes[:count], [0.01] * count, faces[:count], 79.0, on_core=False).word
+             for sizes, count in ((teeth, 18), (pins, 18), (teeth, 4))]
+    assert words == ["tooth", "bar", "bar"]
+    gear = replace(group("bar", 6.9, 18, least=4.9), word="tooth")
+    assert thin_features([group("block", 40.0, volume=0.8), gear], 7.2, 79.0).words == "18 teeth 4.9 mm to 6.9 mm thick"
 
 
 def test_the_table_calls_them_what_the_sentence_does():

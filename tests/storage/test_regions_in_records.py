@@ -89,6 +89,9 @@ def test_libraries_are_searched_by_regions(ribbed, tmp_path):
         assert found("tube_regions >= 1") == ["tube"]
         assert found("plate_regions > 1 and block_regions >= 1 and region_mm < 3") == ["ribs"]
         assert found("regions >= 1") == ["ribs", "tube"]
+        # Numbers that no descriptor gives: both parts are 2 mm thin, the ribs at two places.
+        assert found("places >= 2 and walls_mm < 2.1") == ["ribs"]
+        assert found("thinnest_mm < 2.1 and places < 2") == ["older", "tube"]
     assert {"region_mm", "regions", "tube_regions"} <= set(SORTABLE)
 
 

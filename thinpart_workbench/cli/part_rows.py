@@ -8,6 +8,7 @@ from itertools import zip_longest
 
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
+from ..core.judging.verdict_sentence import verdict_sentence
 from ..core.number_text import percent
 from ..core.record.thinnest_sentence import thinnest_figure, thinnest_kind, thinnest_sentence
 from ..core.record.verdict_chances import named_between, open_between
@@ -159,9 +160,10 @@ class PartRows:
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
             between = _between(part) if part else ""
             paper = paper_sentence(part, self._profile) if part else ""
-            alone = [row.get("thinnest"), row.get("risk")] if len(parts) == 1 else []
+            alone = row if len(parts) == 1 else {}
+            said = filter(None, [between, alone.get("why"), paper, alone.get("thinnest"), alone.get("risk")])
             checks = check_remarks(row.get("checks") or (), several)
-            for text in [*filter(None, [between, paper, *alone]), *row["remarks"], *checks, *row.get("regions", ())]:
+            for text in [*said, *row["remarks"], *checks, *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
     def _loaded_rows(self):
@@ -191,7 +193,7 @@ def _table_rows(outcome, path, with_regions=False):
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
             "regions": list(_region_lines(part)) if with_regions else [],
             "checks": part.get("checks"), "risk": risk_sentence(part),
-            "thinnest": thinnest_sentence(part),
+            "thinnest": thinnest_sentence(part), "why": verdict_sentence(part),
         })
     for error in _errors(outcome):
         rows.append({"path": path, "failed": True, "style": FAILURE, "remarks": [],

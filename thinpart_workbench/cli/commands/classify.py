@@ -43,7 +43,8 @@ def add_arguments(parser):
     parser.add_argument("--only", metavar="LIST",
                         help="classify only the files that LIST names (absolute paths, each ended by a "
                              "NUL byte); the PATHs then only say which tree --info-dir mirrors")
-    parser.add_argument("--no-info", action="store_true", help="write no info files")
+    parser.add_argument("--no-info", action="store_true", help="neither write nor read info files, in which notes and "
+                        "limits of single faces are kept")
     add_info_folder_options(parser, "write the info files into this folder instead of beside the parts")
     parser.add_argument("--no-thumbnails", action="store_true",
                         help="store no pictures of the parts in the cache")

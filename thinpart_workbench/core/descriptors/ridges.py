@@ -4,7 +4,7 @@
 from typing import NamedTuple
 
 from .equal_walls import SAME, equal_groups
-from .region_kinds import BAR, BLOCK, CORE, RIB, RIB_VOLUME, THREAD, TOOTH, called, is_rib, is_thread
+from .region_kinds import BAR, BLOCK, CORE, FEWEST_TEETH, RIB, RIB_VOLUME, THREAD, TOOTH, called, is_rib, is_thread
 from .thread_pieces import are_pieces_of_a_thread
 
 NO_RIDGE = 1.0
@@ -32,7 +32,7 @@ class WallRow(NamedTuple):
     length : float, mm
         Of the typical one, or of the thread.
     word : str
-        The kind as people call it: see `called`; or `THREAD`, or `RIB`.
+        The kind as people call it: see `called`; or `THREAD`, `RIB`, or `TOOTH` of bars that get thinner.
     """
 
     typical: int
@@ -79,6 +79,8 @@ def wall_row(sizes, volume_shares, faces, width, on_core):
         word = THREAD
     elif on_core and is_rib(size.kind, size.width, size.median, volume_shares[typical]):
         word = RIB
+    elif _are_teeth(size, volume_shares):
+        word = TOOTH
     return WallRow(typical, is_one_thread, length, word)
 
 
@@ -115,6 +117,11 @@ class _RidgeRow(NamedTuple):
     area: float
     is_ridge: bool
     is_slim: bool
+
+
+def _are_teeth(typical, volume_shares):
+    """Whether there are enough equal slim bars that get thinner somewhere: teeth with a broad tip, of gears and pulleys."""
+    return typical.kind == BAR and typical.is_varied and len(volume_shares) >= FEWEST_TEETH and _is_slim(BAR, volume_shares)
 
 
 def _is_slim(kind, volume_shares):

@@ -17,20 +17,21 @@ _COMPARISON = re.compile("([<>]=?)")
 
 
 @dataclass(frozen=True)
-class JudgedValue:
-    """A number of a record that is judged, not measured: its ``name``; it has no ``bounds``."""
+class RecordedNumber:
+    """A number of a record that no descriptor gives: the ``name`` of its column; it has no ``bounds``."""
 
     name: str
     bounds: tuple = ()
 
 
-JUDGED = (JudgedValue("risk"),)
-"""What conditions may name beside quantities: the risk of the automatic mesh, from 0 to 1."""
+RECORDED = tuple(map(RecordedNumber, ("risk", "thinnest_mm", "walls_mm", "places")))
+"""What conditions may name beside quantities: the risk of the automatic mesh, from 0 to 1; the thinnest wall, and the
+thinnest that does not end in a sharp edge; how many places are as thin."""
 
 
 @dataclass(frozen=True)
 class SearchCondition:
-    """A quantity or a `JudgedValue`, one of `COMPARISONS`, and a value in its unit."""
+    """A quantity or a `RecordedNumber`, one of `COMPARISONS`, and a value in its unit."""
 
     quantity: object
     comparison: str
@@ -67,12 +68,12 @@ def _condition(part, text):
         raise ThinPartError(message("{number!r} in the condition {condition!r} is not a number.",
                                     number=number, condition=text), "usage")
     try:
-        quantity = next((judged for judged in JUDGED if judged.name == name), None) or quantity_named(name)
+        quantity = next((number for number in RECORDED if number.name == name), None) or quantity_named(name)
     except KeyError:
         raise ThinPartError(
             message("There is no quantity {quantity!r} in the condition {condition!r}: there are {known}.",
                     quantity=name, condition=text,
-                    known=", ".join([quantity_symbols(), *(judged.name for judged in JUDGED)])), "usage",
+                    known=", ".join([quantity_symbols(), *(number.name for number in RECORDED)])), "usage",
         ) from None
     return SearchCondition(quantity, comparison, value)
 

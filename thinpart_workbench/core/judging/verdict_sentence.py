@@ -9,7 +9,7 @@ from ..message import message
 from ..record.region_groups import region_groups
 from ..record.verdict_chances import named_between
 from .verdict_reasons import deciding_criteria
-from .wall_words import features_of_a_solid, thin_features, walls_it_is_made_of
+from .wall_words import features_of_a_solid, run_out_of, thin_features, walls_it_is_made_of
 
 LEAST_SHARE = 0.001
 """Share below which less than that is said: rounded, it would be none."""
@@ -45,7 +45,7 @@ def _of_ridges(record, rows):
     width = record["descriptors"]["box_mm"][1]
     limit = next((condition["threshold"] * width for row in rows for condition in row["conditions"]
                   if isinstance(quantity_named(condition["quantity"]), RidgeRatio)), None)
-    found = None if limit is None else thin_features(region_groups(record), limit, width)
+    found = None if limit is None else thin_features(region_groups(record), limit, width, run_out_of(record))
     return None if found is None else _solid_but_for(record, found)
 
 
@@ -72,7 +72,7 @@ def _of_walls(record, quantity, condition, plates):
 def _of_solid(record, condition, quantity):
     """What is said of a part that is not thin by a condition, and where the verdict is unsure, not surely solid: Message."""
     width = record["descriptors"]["box_mm"][1]
-    found = features_of_a_solid(region_groups(record), quantity.bounds[1] * width, width)
+    found = features_of_a_solid(region_groups(record), quantity.bounds[1] * width, width, run_out_of(record))
     if found is not None:
         return _solid_but_for(record, found)
     walls = _walls_of_solid(record, condition, quantity)
@@ -120,7 +120,7 @@ def _in_workshop_words(record, share, limit, of_plates):
         made_of = walls_it_is_made_of(record, groups, limit)
         return None if made_of is None else message(
             "{walls}: consider shells (Prepare mesh says whether they can be made).", walls=made_of)
-    found = thin_features(groups, limit, record["descriptors"]["box_mm"][1])
+    found = thin_features(groups, limit, record["descriptors"]["box_mm"][1], run_out_of(record))
     if found is None:
         return None
     if found.has_core and found.are_teeth:

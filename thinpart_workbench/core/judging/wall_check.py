@@ -319,11 +319,14 @@ def check_sentence(check):
 
     Those on faces with limits of their own come last, unless these are all that fails.
     """
-    found, own = _process_sentence(check), face_sentences(check.own)
-    if check.holds is False and False not in (check.thin_holds, check.thick_holds):
-        return message("{process}: fails: {faces} Other faces: {check}", process=check.limits.full_title,
-                       faces=_together(own), check=found)
-    return _together([found, *own])
+    process, own = check.limits.full_title, face_sentences(check.own)
+    of_others = check.thin_holds, check.thick_holds
+    if check.holds is not False or False in of_others:
+        return _together([_process_sentence(check), *own])
+    if None in of_others:
+        return message("{process}: fails: {faces} Of all other faces it cannot be told.", process=process,
+                       faces=_together(own))
+    return message("{process}: fails: {faces} All other faces pass.", process=process, faces=_together(own))
 
 
 def _together(sentences):

@@ -8,8 +8,10 @@ from typing import NamedTuple
 from ..descriptors.bins import BINS
 from ..descriptors.equal_walls import SAME
 from ..descriptors.region_kinds import BAR, BLOCK, CORE, FEWEST_TEETH, PLATE, RIB, RIB_VOLUME, TAPER, TOOTH, TUBE, is_thread
+from ..descriptors.wall_kinds import EDGE
 from ..figures import Length, Share
 from ..message import Message, message
+from ..record.face_names import face_number
 
 MOST_OF_IT = 0.5
 """Share of the surface from which walls of one thickness are what the part is made of."""
@@ -120,7 +122,7 @@ class ThinFeatures(NamedTuple):
     are_teeth: bool
 
 
-def thin_features(groups, limit, width):
+def thin_features(groups, limit, width, run_out=frozenset()):
     """The thin regions of a part: ThinFeatures; None where it has none.
 
     Parameters
@@ -130,6 +132,8 @@ def thin_features(groups, limit, width):
         Walls below it are thin.
     width : float, mm
         Middle side of the box of the part.
+    run_out : set of int, optional
+        Numbers of the faces that meet in the sharp edge where the part is thinnest: see `run_out_of`.
     """
     thin = [group for group in groups if _is_thin(group, limit)] or [
         group for group in groups if group.kind not in (BLOCK, TUBE) and group.least < limit and group.count > 1]
@@ -138,7 +142,7 @@ def thin_features(groups, limit, width):
         return None
     bulky = [group.volume_share or 0.0 for group in groups if group.kind in (BLOCK, BAR) and not _is_thin(group, limit)]
     has_core = sum(bulky) >= CORE
-    features = _features(thin, width)
+    features = _features(thin, width, run_out)
     named = features[:_MOST_NAMED]
     thinnest = min(features, key=lambda feature: feature.least)
     if thinnest not in named:
@@ -148,17 +152,25 @@ def thin_features(groups, limit, width):
     return ThinFeatures(words, has_core, all(_is_toothing(feature) for feature in features))
 
 
-def features_of_a_solid(groups, limit, width):
+def run_out_of(record):
+    """The faces that meet in the sharp edge where a part is thinnest: set of int, numbers from 0; empty where it is none."""
+    place = record.get("thinnest")
+    if place is None or place["kind"] != EDGE:
+        return set()
+    return {face_number({"face": face}) for face in (place["face"], place["witness"]["opposite_face"])}
+
+
+def features_of_a_solid(groups, limit, width, run_out=frozenset()):
     """What a solid part has of thin regions, or else of ribs, threads and teeth on its core that are thin beside that.
 
     Parameters and result are those of `thin_features`.
     """
-    found = thin_features(groups, limit, width)
+    found = thin_features(groups, limit, width, run_out)
     if found is not None:
         return found
     small = [group for group in groups if group.kind == TOOTH or not _is_thin(group, NOTED * width)
              or (group.volume_share or 0.0) <= RIB_VOLUME * group.count]
-    noted = thin_features(small, NOTED * width, width)
+    noted = thin_features(small, NOTED * width, width, run_out)
     return noted if noted is not None and noted.has_core else None
 
 
@@ -170,21 +182,24 @@ class _Feature:
     thickness: float
     is_thread: bool
     width: float
+    runs_out: bool
 
 
-def _features(groups, width):
+def _features(groups, width, run_out):
     """Groups of regions, those of one kind and thickness as one: list of _Feature."""
     found: list[_Feature] = []
     for group in groups:
-        kind = RIB if group.word == RIB else {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
+        kind = group.word if group.word in (RIB, TOOTH) else {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
         goes_round = is_thread(group.kind, group.length, group.median, width)
-        feature = _Feature(kind, group.count, group.least, group.median, goes_round, width)
+        feature = _Feature(kind, group.count, group.least, group.median, goes_round, width,
+                           not run_out.isdisjoint(group.faces))
         same = next((number for number, other in enumerate(found) if _are_one(feature, other)), None)
         if same is None:
             found.append(feature)
         else:
             other = found[same]
-            found[same] = replace(other, count=other.count + feature.count, least=min(other.least, feature.least))
+            found[same] = replace(other, count=other.count + feature.count, least=min(other.least, feature.least),
+                                  runs_out=other.runs_out or feature.runs_out)
     return found
 
 
@@ -216,6 +231,9 @@ def _is_thin(group, limit):
 def _feature(feature, limit):
     kind, count = feature.kind, feature.count
     least, thickness, share = Length(feature.least), Length(feature.thickness), Share(feature.thickness / feature.width)
+    if feature.is_thread and feature.runs_out:
+        return message("thread {least} to {thickness} thick, with a run-out to a sharp edge", least=least,
+                       thickness=thickness)
     if feature.is_thread:
         return message("thread {least} to {thickness} thick", least=least, thickness=thickness)
     is_as_thick = f"{least}" == f"{thickness}"

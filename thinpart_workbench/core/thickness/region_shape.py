@@ -67,6 +67,9 @@ ARMS_APART = 1.5
 LEAST_ARM, LEAST_FURTHER_ARM = 0.25, 0.1
 """Least share of such a band, the middle one or the others, on either side of a hole that a region goes round."""
 
+FILLED = 0.6
+"""Share of its rectangle from which a flat wall is a tab, whatever notches it has: a bent strip fills less."""
+
 _DOMINANT = 3
 _DIRECTIONS = spread_directions(150).astype(np.float32)
 _ANGLES = np.radians(np.arange(0.0, 90.0, 1.0))
@@ -196,8 +199,8 @@ def _bent_length(points, links, area, size):
         apart = max(_arms_apart(points, links, _band(way, shares), LEAST_FURTHER_ARM) for shares in MORE_BANDS)
         if ring >= RING_FROM * width and apart >= ARMS_APART * width:
             return ring, False
-    if along <= BENT * np.linalg.norm(size):
-        return None
+    if along <= BENT * np.linalg.norm(size) or area >= 2.0 * FILLED * size[0] * size[1] and _flatness(points) >= FLAT:
+        return None  # straight, or a tab with a notch, which the way along leads round
     # From end to end of a tube, and half-way round.
     axial = float(np.sqrt(0.5 * (along**2 + np.sqrt(max(along**4 - 0.25 * area**2, 0.0)))))
     if axial >= LONG_TUBE * area / (2.0 * axial) and _tube_axis(points.chosen(band)) is not None:
