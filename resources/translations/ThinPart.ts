@@ -5864,6 +5864,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>beside edges, {share} of the surface is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>block</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7205,6 +7209,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5866,6 +5866,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>neben einer scharfen Kante</translation>
     </message>
     <message>
+        <source>beside edges, {share} of the surface is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>neben Kanten sind {share} der Oberfläche dünner als {limit}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>Block</translation>
     </message>
@@ -7208,6 +7212,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
         <translation>{share} der Oberfläche liegen über Wänden von mehr als {most}</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider shells (Prepare mesh says whether they can be made).</source>

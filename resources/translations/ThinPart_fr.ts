@@ -5866,6 +5866,10 @@ Son volume est inconnu.</translation>
         <translation>près d’une arête vive</translation>
     </message>
     <message>
+        <source>beside edges, {share} of the surface is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>près des arêtes, {share} de la surface est plus mince que {limit}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>bloc</translation>
     </message>
@@ -7208,6 +7212,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
         <translation>{share} de la surface est au-dessus de parois de plus de {most}</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle}</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider shells (Prepare mesh says whether they can be made).</source>

@@ -145,6 +145,24 @@ def test_a_normal_part_says_its_thinnest_wall():
         "Neither clearly solid nor clearly thin: no wall is thinner than 40 mm, 67\u00a0% of the width of 60 mm.")
 
 
+def test_an_unsure_part_says_which_walls_it_has_nearly_enough_of():
+    record = judged_normal(made_library.measured_record("Block", made_meshes.box(100.0, 60.0, 40.0)), **UNSURE)
+    near = {**record["evidence"][0]["conditions"][0],
+            "quantity": "K[0;0.12]", "value": 0.63, "threshold": 0.7, "margin": -0.1}
+    record["evidence"].append({**record["evidence"][0], "conditions": [near]})
+    assert verdict_sentence(record) == (  # a block has no such walls: only its edges can be so thin
+        "Neither clearly solid nor clearly thin: beside edges, 63\u00a0% of the surface is thinner than 7.2 mm, "
+        "12\u00a0% of the width of 60 mm.")
+    record["descriptors"]["thickness_mm"]["min"] = 5.0
+    assert verdict_sentence(record) == (
+        "Neither clearly solid nor clearly thin: 63\u00a0% of the surface lies over walls thinner than 7.2 mm, "
+        "12\u00a0% of the width of 60 mm.")
+    near["value"] = 0.0
+    assert "no wall is thinner than 5 mm" in verdict_sentence(record)
+    near.update(value=None, holds=None)
+    assert "no wall is thinner than 5 mm" in verdict_sentence(record)
+
+
 def test_a_normal_part_names_the_rib_on_its_core():
     record = made_library.measured_record("Ribbed", made_meshes.ribbed_block())
     assert [each.word for each in region_groups(record)] == ["rib", "block"]

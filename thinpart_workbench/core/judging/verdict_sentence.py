@@ -75,9 +75,30 @@ def _of_solid(record, condition, quantity):
     found = features_of_a_solid(region_groups(record), quantity.bounds[1] * width, width, run_out_of(record))
     if found is not None:
         return _solid_but_for(record, found)
-    walls = _walls_of_solid(record, condition, quantity)
-    return message("Neither clearly solid nor clearly thin: {walls}.", walls=walls) if named_between(record) else message(
-        "Solid: {walls}: mesh it with solids.", walls=walls)
+    if named_between(record):
+        return message("Neither clearly solid nor clearly thin: {walls}.",
+                       walls=_walls_near_a_limit(record) or _walls_of_solid(record, condition, quantity))
+    return message("Solid: {walls}: mesh it with solids.", walls=_walls_of_solid(record, condition, quantity))
+
+
+def _walls_near_a_limit(record):
+    """The walls that a part has nearly enough of to be thin or thin-featured: Message; None where it has none of them."""
+    near = [(abs(condition["margin"]), condition["value"], quantity) for row in record["evidence"]
+            for condition in row["conditions"] if condition["holds"] is False
+            for quantity in [quantity_named(condition["quantity"])] if isinstance(quantity, MiddleShare)]
+    if not near:
+        return None
+    _, value, quantity = min(near, key=lambda found: found[0])
+    if value < LEAST_SHARE:
+        return None
+    width, thinnest = record["descriptors"]["box_mm"][1], record["descriptors"]["thickness_mm"]["min"]
+    bound = quantity.bounds[1]
+    share, limit, part, middle = Share(value), Length(bound * width), Share(bound), Length(width)
+    if thinnest is not None and thinnest >= bound * width:
+        return message("beside edges, {share} of the surface is thinner than {limit}, {part} of the width of {middle}",
+                       share=share, limit=limit, part=part, middle=middle)
+    return message("{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}",
+                   share=share, limit=limit, part=part, middle=middle)
 
 
 def _solid_but_for(record, found):
