@@ -87,9 +87,9 @@ class Measurement:
         """The same measurement with another `Witness` of the thinnest parallel wall, such as that of the exact shape."""
         return self._with_regions(with_thinnest(self.regions, wall), thinnest_wall=wall)
 
-    def with_thinnest_place(self, confirmed=None):
-        """The same measurement with its thinnest place; `confirmed` as of `thinnest_place`."""
-        thinnest, places = thinnest_place(self.thinnest_wall, self.places, confirmed, self.equal_faces)
+    def with_thinnest_place(self, confirmed=None, near=None):
+        """The same measurement with its thinnest place; `confirmed` and `near` as of `thinnest_place`."""
+        thinnest, places = thinnest_place(self.thinnest_wall, self.places, confirmed, self.equal_faces, near)
         mesh = self.field.mesh
         regions = self.regions if thinnest is None else with_thinnest_taper(
             self.regions, thinnest, np.bincount(mesh.face_of_triangle, mesh.areas))

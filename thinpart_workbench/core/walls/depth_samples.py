@@ -40,7 +40,7 @@ def depth_samples(mesh, edges, depth):
 def _edges_of_smallest_angles(mesh, edges):
     """Numbers of the edges beside which samples are put: ndarray."""
     order = np.argsort(edges.angle, kind="stable")
-    faces = np.sort(mesh.face_of_triangle[np.stack([edges.first, edges.second]) // 3], axis=0)
+    faces = edges.faces(mesh)
     _, first_of_pair = np.unique(faces[:, order], axis=1, return_index=True)
     return np.union1d(order[:MOST_EDGES], order[np.sort(first_of_pair)[:MOST_EDGES]])
 

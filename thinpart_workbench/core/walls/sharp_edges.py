@@ -45,6 +45,10 @@ class SharpEdges:
         chosen = self.angle < angle
         return SharpEdges(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 
+    def faces(self, mesh):
+        """The two faces of each, the lower number first: ndarray of shape (2, e), int64."""
+        return np.sort(mesh.face_of_triangle[np.stack([self.first, self.second]) // 3], axis=0)
+
     def are_near(self, points, depth):
         """Whether points, ndarray of shape (m, 3), lie nearer to an edge than a depth, mm: ndarray of shape (m,), bool."""
         if not len(self.first) or not len(points):

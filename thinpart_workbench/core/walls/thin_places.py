@@ -25,8 +25,8 @@ WALL_BELOW = np.radians(45.0)
 LEAST = 0.1
 """Thickness, in depths, below which faces touch, or one runs out into the other, rather than enclose a wall."""
 
-SURELY_WIDE = 2.0
-"""Width, in thicknesses, from which on a taper is at least as wide as it is thick, however samples lie."""
+LEAST_AT_EDGE = 1e-3
+"""The same at the depth beside an edge in which they end, at however small an angle."""
 
 SURELY_NARROW, SEEN_WELL = 0.25, 16
 """Width, in thicknesses, under which a taper that so many samples have seen is a broken edge, however they lie."""
@@ -177,7 +177,7 @@ def _counted(field, edges, at_depth, pair, lengths, depth):
 
     And how wide tapers are, in their thicknesses: ndarray of shape (p,), inf for those that end in a sharp edge.
     """
-    wall = (field.parallel | field.nonparallel) & (field.distance > LEAST * depth)
+    wall = (field.parallel | field.nonparallel) & (field.distance > np.where(at_depth, LEAST_AT_EDGE, LEAST) * depth)
     counted = wall.copy()
     close = np.flatnonzero(wall & ~at_depth & (field.distance < _MOST_STEEP * depth))
     counted[close[edges.are_near(field.samples.points[close], 0.99 * depth)]] = False
@@ -253,7 +253,7 @@ def _shapes(field, pair, wall, counted):
 def _edge_lengths(mesh, edges, faces):
     """Length of the sharp edges between pairs of faces: ndarray of shape (p,), mm."""
     count = int(mesh.face_of_triangle.max()) + 1
-    own = np.sort(mesh.face_of_triangle[np.stack([edges.first, edges.second]) // 3], axis=0)
+    own = edges.faces(mesh)
     keys = faces[:, 0] * count + faces[:, 1]
     place = np.minimum(np.searchsorted(keys, own[0] * count + own[1]), len(keys) - 1)
     fits = keys[place] == own[0] * count + own[1]

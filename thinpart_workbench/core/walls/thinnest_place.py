@@ -11,6 +11,8 @@ from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
 from .face_thickness import NEARLY, Witness, witness_of
+from .facing_faces import neighbours
+from .near_walls import EQUALLY_THIN, NearWalls, near_walls
 from .thin_places import LEAST, MAY_BE_THINNER, ends_in_sharp_edge
 
 MOST_TRIED = 12
@@ -18,9 +20,6 @@ MOST_TRIED = 12
 
 _MOST_IN_VAIN = 5
 """Such places, one after the other, none of which is much thinner than what is known: then the others are not either."""
-
-_EQUALLY_THIN = 1.02
-"""How many times as thick as another one a place may be, between equal faces, that is no wall where the other is none."""
 
 _MOST_EQUAL = 24
 """Tapers equal to a thin one, such as the teeth of a gear, that are looked for in the part's own geometry too."""
@@ -73,7 +72,7 @@ class WallErrors(NamedTuple):
     walls: float
 
 
-def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
+def thinnest_place(parallel, places, confirmed=None, equal_faces=None, near=None):
     """Find where a part is thinnest: ThinnestPlace or None, and the places without those that it does not have: ThinPlaces.
 
     Parameters
@@ -82,14 +81,22 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
         The thinnest wall between parallel sides.
     places : ThinPlaces
     confirmed : callable, optional
-        Called with a `Witness`, its kind, its sample, its width in thicknesses, and the thickness, mm, under which it would
-        be the thinnest; returns the wall as the geometry of the part has it, None where there is none, and its kind. Without
-        it, what `ThinPlaces.is_narrow` has for a chamfer is none.
+        Called with a `Witness`, its kind, the size, mm, of the facets there, its width in thicknesses, and the thickness,
+        mm, under which it would be the thinnest; the kind is None for two faces that are only known to be near each other.
+        Returns the wall as the geometry of the part has it, None where there is none, and its kind. Without it, what
+        `ThinPlaces.is_narrow` has for a chamfer is none.
     equal_faces : ndarray of shape (f,), int64, optional
         For each face, the first one equal to it.
+    near : callable, optional
+        As of `near_walls`: what yields pairs of faces that are near each other, whether samples met them or not. Those that
+        are walls are found by `confirmed`.
     """
     best, kind, apart = parallel, PARALLEL, parallel
     exact, kinds = [], _kinds_of_pairs(places, equal_faces)
+    seen = _near_walls(parallel, places, confirmed, equal_faces, near)
+    for wall, own in seen.walls:
+        exact.append((wall, own))
+        best, kind, apart = wall, own, wall
     no_walls: dict = {}  # how thick those are, by their kind
     kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
     turn = np.where(places.is_at_edge, 2, places.is_narrow)
@@ -102,13 +109,17 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
             continue
         if confirmed is None and places.is_narrow[number]:
             continue
-        if found.distance <= _EQUALLY_THIN * no_walls.get(kinds[number], 0.0):  # such as the chamfers of equal holes
+        if near is not None and least is not None and found.distance >= least.distance and seen.has_seen(found):
+            continue
+        # Such as the chamfers of equal holes.
+        if seen.is_no_wall(found) or found.distance <= EQUALLY_THIN * no_walls.get(kinds[number], 0.0):
             kept[number] = False
             continue
         tried[own_turn] += 1
         in_vain[own_turn] += 1
         wall, own = (found, own) if confirmed is None else confirmed(
-            found, own, places.samples[number], places.width[number], np.inf if least is None else least.distance)
+            found, own, _facet_size(places.field, places.samples[number]), places.width[number],
+            np.inf if least is None else least.distance)
         at_edge[number] = own == EDGE
         if confirmed is not None:
             width[number] = np.inf
@@ -133,8 +144,22 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
         return None, places
     left = places.chosen(kept & (places.is_narrow | (places.distance >= best.distance * (1.0 - NEARLY))))
     below = rounded_up(TOLERANCES.alike * best.distance)
-    count = max(1, _count(left.chosen(~left.is_narrow), below, equal_faces))
+    thin = [wall for wall, _ in exact if wall.distance < below]
+    count = max(1, _count(left.chosen(~left.is_narrow), thin, below, equal_faces))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
+
+
+def _near_walls(parallel, places, confirmed, equal_faces, near):
+    """Walls between faces near each other that are thinner than the thinnest parallel one: NearWalls."""
+    if near is None or places.field is None or parallel is None and not len(places.samples):
+        return NearWalls()
+    thinnest = float(places.distance[0]) if parallel is None else parallel.distance
+    return near_walls(near, confirmed, thinnest, set(zip(*neighbours(places.field.mesh).tolist())), equal_faces)
+
+
+def _facet_size(field, sample):
+    """Square root of twice the area, mm, of the facet under a sample."""
+    return float(np.sqrt(2.0 * field.mesh.areas[field.samples.triangle[sample]]))
 
 
 def _kind(places, number):
@@ -160,7 +185,7 @@ def _equal_to(tapers, places, equal_faces, confirmed):
     samples, pairs = samples[is_new], pairs[is_new]
     order = np.argsort(places.field.distance[samples], kind="stable")
     _, first = np.unique(pairs[order], axis=0, return_index=True)
-    found = (confirmed(witness_of(places.field, int(sample)), TAPERED, sample, np.inf, least)
+    found = (confirmed(witness_of(places.field, int(sample)), TAPERED, _facet_size(places.field, sample), np.inf, least)
              for sample in samples[order[np.sort(first)]][:_MOST_EQUAL])
     return [(wall, own) for wall, own in found if wall is not None and own == TAPERED]
 
@@ -178,17 +203,23 @@ def _of_equal_faces(field, pairs, least, equal_faces):
     return samples[equal], found[equal]
 
 
-def _count(places, below, equal_faces):
-    """How many places are thinner than a length: walls between faces that go over into each other are one."""
+def _count(places, exact, below, equal_faces):
+    """How many places are thinner than a length: walls between faces that go over into each other are one.
+
+    They are those of samples, and walls that the geometry has, a list of Witness.
+    """
     thin = places.chosen(places.distance < below)
-    if not len(thin.samples):
+    pairs = np.sort(np.array([[wall.face, wall.opposite_face] for wall in exact], dtype=np.int64).reshape(-1, 2), axis=1)
+    if len(thin.samples):
+        pairs = np.concatenate([pairs, _face_pairs(thin.field, thin.samples)])
+    if not len(pairs):
         return 0
-    pairs = _face_pairs(thin.field, thin.samples)
     if equal_faces is not None and thin.is_tapered.any():
         least = float(thin.distance[thin.is_tapered].min())
-        pairs = np.concatenate([pairs, _of_equal_faces(thin.field, pairs[thin.is_tapered], least, equal_faces)[1]])
+        tapers = _face_pairs(thin.field, thin.samples[thin.is_tapered])
+        pairs = np.concatenate([pairs, _of_equal_faces(thin.field, tapers, least, equal_faces)[1]])
     pairs = np.unique(pairs, axis=0)[:_MOST_COUNTED]
-    mesh = thin.field.mesh
+    mesh = places.field.mesh
     faces, own = np.unique(pairs, return_inverse=True)
     here, there = own.reshape(pairs.shape).T
     touching = np.eye(len(faces), dtype=bool)

@@ -13,6 +13,10 @@ _ON_THE_WAY = np.append(np.linspace(0.125, 0.875, 7), 1.0 - 1e-6)
 _FIRST_STEP, _LAST_STEP = 2.0, 0.002
 """Steps across a face, in thicknesses: the first is no longer, the last about as long."""
 
+_STEEPEST = 4.0
+"""How much thinner a wall may get near by, in steps that led to nothing thinner: its sides are at 60 degrees at most, and
+one may lean."""
+
 
 def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
     """A tapered wall where it is thinnest near a place that was found between facets: Witness or None.
@@ -31,7 +35,7 @@ def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
     towards : ndarray of shape (3,), mm, optional
         The place of the face that is nearest to the opposite one; across it, there may be no wall.
     least : float, mm, optional
-        Where that way has no place thinner than this, the wall is not followed further.
+        Where a wall is not that thin, and cannot be near by, it is not followed further.
     """
     face = solid.Faces[wall.face]
     edges = common_edges(face, solid.Faces[wall.opposite_face])
@@ -74,5 +78,7 @@ def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
                 found = at(other, below(best))
                 if found is not None:
                     best, place, moved = found, other, True
+        if best is not None and best.distance - _STEEPEST * step >= least:
+            break
         step *= 0.5
     return best

@@ -3,7 +3,12 @@
 
 import numpy as np
 
+from ...core.walls.walls import NONPARALLEL_BELOW
 from ..bootstrap import load_freecad
+
+STEEPEST = NONPARALLEL_BELOW + np.radians(0.5)
+"""Angle, rad, between two faces from which on they enclose no wall: those of a thread of 60 degrees do, however its pitch
+turns them and however they were made."""
 
 _MOST_PARAMETERS = 100.0
 """Parameters by which a place moves on by a millimetre, at most, in ranges of the face, which may be small."""

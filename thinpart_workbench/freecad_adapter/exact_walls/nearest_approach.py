@@ -8,9 +8,8 @@ import numpy as np
 
 from ...core.walls.face_thickness import Witness
 from ...core.walls.thin_places import LEAST
-from ...core.walls.walls import NONPARALLEL_BELOW
 from ..bootstrap import load_freecad
-from .face_places import common_edges, distance_to_edge, normals, parameters
+from .face_places import STEEPEST, common_edges, distance_to_edge, normals, parameters
 
 _MOST_TURNS = 60
 """Turns in which two faces are followed to where they are nearest; 20 are enough where they do not touch."""
@@ -41,6 +40,11 @@ class Approach(NamedTuple):
     ends: Optional[list] = None
     meets: bool = False
     is_wall: bool = True
+
+    @property
+    def apart(self):
+        """float, mm: distance of the nearest places; 0 where they are not known."""
+        return 0.0 if self.ends is None else float(np.linalg.norm(self.ends[1] - self.ends[0]))
 
 
 def nearest_approach(solid, wall, depth):
@@ -83,7 +87,7 @@ def nearest_approach(solid, wall, depth):
         return Approach()  # not through the material: a face bends round to where it is nearer through the air
     if max(across @ along) < _STRAIGHT:
         return Approach(ends=ends)
-    if across[0] @ across[1] < np.cos(NONPARALLEL_BELOW):
+    if across[0] @ across[1] < np.cos(STEEPEST):
         return Approach(is_wall=False)
     return Approach(replace(wall, distance=length, point=ends[0], opposite=ends[1]))
 

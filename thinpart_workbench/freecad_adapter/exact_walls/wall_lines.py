@@ -15,6 +15,9 @@ _MOST_LINES = 250
 _FACTOR = 2.0
 """How many times as thick as the facets said a wall may be, and how many times as thin, where nothing else is known."""
 
+_ALL_THE_WAY = 0.999
+"""Share of the way through a wall that has to be inside."""
+
 
 class WallLines:
     """Lines through a wall, across its face to the opposite one.
@@ -72,6 +75,18 @@ class WallLines:
         lengths = [float((np.array(end) - start) @ way) for end in ends]
         return next((lengths[end] for end in np.argsort(lengths)
                      if self._least < lengths[end] < most and is_on(self.opposite, ends[end])), None)
+
+
+def is_through_material(solid, wall):
+    """Whether there is material all the way through a wall, and no bore: bool."""
+    App = load_freecad()
+    import Part
+
+    try:
+        inside = solid.common(Part.makeLine(App.Vector(*wall.point), App.Vector(*wall.opposite)))
+    except (RuntimeError, ValueError):  # OCC's own errors are RuntimeErrors
+        return False
+    return inside.Length >= _ALL_THE_WAY * wall.distance
 
 
 def below(best):

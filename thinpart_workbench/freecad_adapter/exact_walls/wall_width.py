@@ -3,9 +3,9 @@
 
 import numpy as np
 
-from ...core.walls.walls import NONPARALLEL_BELOW
-from .face_places import normals, parameters, parameters_per_mm, wedge_angle
-from .wall_lines import WallLines
+from ..bootstrap import load_freecad
+from .face_places import STEEPEST, normals, parameters, parameters_per_mm, wedge_angle
+from .wall_lines import WallLines, is_through_material
 
 _AS_WIDE = 0.98
 """Width, in thicknesses, from which on a taper is a wall: not quite 1, so that a square counts however it is rounded."""
@@ -19,12 +19,44 @@ _GROWS = 1e-4
 _MOST = 5.0
 """How many times as thick a wall may get on the way: at 60 degrees, 2.7 times, and twice as thick across the other face."""
 
+_LEVEL, _BENEATH = 0.5, 0.1
+"""Share by which a wall gets thinner beyond a taper, of what it would at the same angle, up to which it levels off; and
+where it begins there, in thicknesses: its first face may bend."""
+
+_ACROSS = np.cos(np.radians(2.0))
+"""Cosine of the angle up to which a wall is across a face."""
+
 _WAYS = tuple((np.cos(way), np.sin(way)) for way in np.radians(np.arange(0.0, 360.0, 45.0)))
 
 
-def face_width(face):
-    """How wide a long face is, mm: twice its area by its border."""
-    return 2.0 * face.Area / max(face.Length, np.finfo(float).tiny)
+def goes_on(solid, wall, depth):
+    """Whether there is a wall beyond a taper where that is thinnest, no thinner, as below the corner of a slot: bool.
+
+    Beyond a chamfer there is none, and beyond a part of a rounded edge it gets thinner still.
+
+    Parameters
+    ----------
+    solid : Part.Solid
+    wall : Witness
+        Where the taper is thinnest.
+    depth : float, mm
+        How far beyond.
+    """
+    return any(_levels_off(solid, side, depth) for side in (wall, wall.turned))
+
+
+def _levels_off(solid, wall, depth):
+    """Whether there is one across its first face, if the wall is across that: bool."""
+    App = load_freecad()
+
+    faces = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
+    across = normals(faces, (wall.point, wall.opposite))
+    through = wall.opposite - wall.point
+    if across is None or abs(across[0] @ through) < _ACROSS * wall.distance:
+        return False
+    beyond = wall.point - depth * _steepest(*across, through)
+    thinner = _LEVEL * depth * np.tan(wedge_angle(faces, wall)) / wall.distance
+    return all(solid.isInside(App.Vector(*(beyond + share * through)), 0.0, False) for share in (1.0 - thinner, _BENEATH))
 
 
 def is_as_wide_as_thick(solid, wall):
@@ -59,10 +91,11 @@ def _gets_wide(solid, wall):
         for way in _WAYS:
             other = tuple(np.array(place) + step * np.array(way) * per_mm)
             found = lines.through(other) if faces[0].isPartOfDomain(*other) else None
-            if found is None or found.distance <= here.distance or wedge_angle(faces, found) >= NONPARALLEL_BELOW:
+            if found is None or found.distance <= here.distance or wedge_angle(faces, found) >= STEEPEST:
                 continue
             moved = found.point - wall.point
-            if moved @ steepest >= width or found.distance >= enough and np.linalg.norm(moved) >= width:
+            if (moved @ steepest >= width or found.distance >= enough and np.linalg.norm(moved) >= width) \
+                    and is_through_material(solid, found):
                 return True
             if found.distance > thicker:
                 thicker, onward = found.distance, other

@@ -11,16 +11,19 @@ from ...core.errors import ThinPartError
 from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
-from ...core.walls.thin_places import SURELY_NARROW
 from ..exact_walls.exact_place import ExactPlace, exact_place
 from ..exact_walls.exact_wall import exact_wall
-from ..exact_walls.wall_width import face_width, is_as_wide_as_thick
+from ..exact_walls.face_places import wedge_angle
+from ..exact_walls.wall_width import goes_on, is_as_wide_as_thick
 from ..tessellating.surface_types import face_surfaces
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
 from .nearest_on_shape import NearestOnSolid, NearestOnTriangles
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
+
+_QUITE_PARALLEL = np.radians(1.0)
+"""Angle between its sides up to which a wall is not asked whether it is one."""
 
 _MOST_CHECKED = 60_000
 """Triangles up to which a mesh is checked before its first colours: that takes half a second for so many."""
@@ -108,18 +111,21 @@ class SolidPart(Part):
         """
         return exact_wall(self.shape, wall, error)
 
-    def exact_place(self, wall, error, ends_in_edge, depth, step, least):
+    def exact_place(self, wall, error, kind, depth, step, least):
         """The thinnest place near a wall between facets, as the faces have it: ExactPlace; see `exact_place`."""
-        return exact_place(self.shape, wall, error, ends_in_edge, depth, step, least)
+        return exact_place(self.shape, wall, error, kind, depth, step, least)
 
-    def has_narrow_face(self, wall):
-        """Whether one of the two faces of a wall is far narrower than the wall is thick, as those of chamfers are: bool."""
+    def is_more_than_an_edge(self, wall, depth, seems_wide):
+        """Whether a tapered wall is more than a broken edge, such as a chamfer: bool.
+
+        It goes on where it is thinnest, `goes_on`, or it `is_as_wide_as_thick`.
+        """
+        return goes_on(self.shape, wall, depth) or is_as_wide_as_thick(self.shape, wall)
+
+    def rounds_off(self, wall, depth):
+        """Whether a wall between nearly parallel sides is the beginning of a rounded edge: bool."""
         faces = self.shape.Faces[wall.face], self.shape.Faces[wall.opposite_face]
-        return min(face_width(face) for face in faces) < SURELY_NARROW * wall.distance
-
-    def is_as_wide_as_thick(self, wall, seems_wide):
-        """Whether a tapered wall is more than a broken edge: bool; see `is_as_wide_as_thick`."""
-        return is_as_wide_as_thick(self.shape, wall)
+        return wedge_angle(faces, wall) > _QUITE_PARALLEL and not self.is_more_than_an_edge(wall, depth, True)
 
     def nearest_points(self):
         """What finds the points of its faces nearest to others: `NearestOnSolid`."""
@@ -170,17 +176,17 @@ class MeshedPart(Part):
         """The wall as it is: there is no geometry but the triangles."""
         return wall
 
-    def exact_place(self, wall, error, ends_in_edge, depth, step, least):
+    def exact_place(self, wall, error, kind, depth, step, least):
         """The wall as it is, as `exact_wall`: ExactPlace."""
         return ExactPlace(wall)
 
-    def has_narrow_face(self, wall):
-        """False: a mesh has no faces, so that samples have to show it."""
-        return False
-
-    def is_as_wide_as_thick(self, wall, seems_wide):
+    def is_more_than_an_edge(self, wall, depth, seems_wide):
         """As samples show it."""
         return seems_wide
+
+    def rounds_off(self, wall, depth):
+        """False: what triangles have is not asked."""
+        return False
 
     def nearest_points(self):
         """What finds its points nearest to others: `NearestOnTriangles`."""

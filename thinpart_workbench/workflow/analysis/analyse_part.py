@@ -6,11 +6,9 @@ import time
 import traceback
 from dataclasses import replace
 
-import numpy as np
-
 from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
 from ...core.descriptors.descriptor_table import body_thickness
-from ...core.descriptors.wall_kinds import EDGE, TAPERED
+from ...core.descriptors.wall_kinds import TAPERED
 from ...core.errors import MeshError, ThinPartError
 from ...core.figures import Length
 from ...core.judging.classification import classify
@@ -26,7 +24,8 @@ from ...core.sizing.mesh_hazards import mesh_hazards
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.walls.face_thickness import face_thicknesses, witness_of
-from ...core.walls.thin_places import SURELY_WIDE
+from ...core.walls.facing_faces import facing_faces
+from ...core.walls.thin_places import LEAST
 from ...core.walls.thinnest_place import MOST_TRIED, WallErrors
 from ...core.walls.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
@@ -225,14 +224,19 @@ def _confirmed(part, measurement, error):
     """The measurement with its thinnest wall taken from the part's own geometry.
 
     A wall that the geometry does not have, because facets came too close to each other, gives way to the next. One that is
-    thicker than facets may be off stays as the rays found it: there are surfaces that OCC cannot cut.
+    thicker than facets may be off stays as the rays found it: there are surfaces that OCC cannot cut. One whose sides are
+    not quite parallel, as where an edge begins to be rounded, gives way to the next too.
     """
+    first = None
     for sample in measurement.thin_samples[:MOST_TRIED]:
         found = witness_of(measurement.field, sample)
-        wall = part.exact_wall(found, error)
-        if wall is not None or found.distance > DOUBTFUL * error:
-            return measurement.with_thinnest_wall(wall or found)
-    return measurement
+        wall = part.exact_wall(found, error) or (found if found.distance > DOUBTFUL * error else None)
+        if wall is None:
+            continue
+        first = first or wall
+        if not part.rounds_off(wall, measurement.places.depth):
+            return measurement.with_thinnest_wall(wall)
+    return measurement if first is None else measurement.with_thinnest_wall(first)
 
 
 def _with_confirmed_place(part, measurement, resolution, error_bound):
@@ -242,18 +246,19 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
     """
     places = measurement.places
 
-    def confirmed(wall, kind, sample, width, least):
-        step = _facet_size(places.field, sample)
-        place = part.exact_place(wall, resolution.error, kind == EDGE, places.depth, step, least)
+    def confirmed(wall, kind, step, width, least):
+        place = part.exact_place(wall, resolution.error, kind, places.depth, step, least)
         if not place.is_wall:
             return None, kind
-        doubtful = wall.distance <= DOUBTFUL * resolution.error
-        found, kind = place.wall or (None if doubtful else wall), place.kind or kind
-        is_asked = kind == TAPERED and found is not None and found.distance < least and (
-            width < SURELY_WIDE or part.has_narrow_face(found))
-        return None if is_asked and not part.is_as_wide_as_thick(found, width >= 1.0) else found, kind
+        is_known = kind is not None and wall.distance > DOUBTFUL * resolution.error
+        found, kind = place.wall or (wall if is_known else None), place.kind or kind
+        is_asked = kind == TAPERED and found is not None and found.distance < least
+        return None if is_asked and not part.is_more_than_an_edge(found, places.depth, width >= 1.0) else found, kind
 
-    measurement = measurement.with_thinnest_place(confirmed)
+    def near(below):
+        return facing_faces(measurement.field.mesh, below, LEAST * places.depth)
+
+    measurement = measurement.with_thinnest_place(confirmed, near if part.can_be_finer else None)
     placed = measurement.thinnest
     if placed is None:
         return measurement, WallErrors(error_bound, error_bound, error_bound)
@@ -264,11 +269,6 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
         return PLACED * wall.distance if part.can_be_finer else resolution.error
 
     return measurement, WallErrors(error_bound, error_of(placed.witness), error_of(placed.wall))
-
-
-def _facet_size(field, sample):
-    """Square root of twice the area, mm, of the facet under a sample."""
-    return float(np.sqrt(2.0 * field.mesh.areas[field.samples.triangle[sample]]))
 
 
 def _parallel_mm(measurement):
