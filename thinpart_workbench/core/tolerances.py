@@ -144,9 +144,11 @@ ELSEWHERE = (
     "core.thickness.wall_graph",  # neighbours on one wall
     "core.thickness.wall_regions",  # regions that are plates, faces that belong to one
     "core.walls.face_thickness",  # walls of a face that are as thin as the thinnest
+    "core.walls.near_walls",  # places between equal faces that are no walls either
     "core.walls.thickness_field",  # errors of wedge angles
     "core.walls.thin_places",  # the depth beside sharp edges, edges that are walls
     "core.walls.walls",  # parallel and tapered walls: angles
+    "freecad_adapter.exact_walls.face_places",  # flanks of threads
     "freecad_adapter.mid_surface.bridges",  # joints of mid-surfaces
     "freecad_adapter.mid_surface.cut_faces",  # time for cutting mid-surfaces
     "freecad_adapter.mid_surface.mid_faces",  # walls that have a mid-surface, walls that have one together

@@ -154,8 +154,9 @@ def _closest_of_sides(start, end, other_start, other_end):
     along, other_along = np.einsum("ij,ij->i", way, apart), np.einsum("ij,ij->i", other_way, apart)
     tiny = np.finfo(float).tiny
     determinant = square * other_square - both * both
-    share = np.where(determinant > 1e-12 * square * other_square,  # else they are parallel, and any place will do
-                     (both * other_along - along * other_square) / np.maximum(determinant, tiny), 0.0)
+    # Where they are parallel, any place will do.
+    share = np.divide(both * other_along - along * other_square, determinant, out=np.zeros(len(start)),
+                      where=determinant > 1e-12 * square * other_square)
     share = np.clip(share, 0.0, 1.0)
     other_share = np.clip((both * share + other_along) / np.maximum(other_square, tiny), 0.0, 1.0)
     share = np.clip((both * other_share - along) / np.maximum(square, tiny), 0.0, 1.0)

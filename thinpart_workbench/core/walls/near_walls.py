@@ -53,7 +53,7 @@ def near_walls(near, confirmed, thinnest, left_out, equal_faces):
     Parameters
     ----------
     near : callable
-        Called with a callable that returns how near faces have to be, mm; yields pairs of them as Witness: `facing_faces`.
+        Called with a callable that returns how near faces have to be, mm; yields pairs of them as Witness: `near_faces`.
     confirmed : callable
         As of `thinnest_place`.
     thinnest : float, mm

@@ -11,7 +11,7 @@ from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
 from .face_thickness import NEARLY, Witness, witness_of
-from .facing_faces import neighbours
+from .near_faces import neighbours
 from .near_walls import EQUALLY_THIN, NearWalls, near_walls
 from .thin_places import LEAST, MAY_BE_THINNER, ends_in_sharp_edge
 

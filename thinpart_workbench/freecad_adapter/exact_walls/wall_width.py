@@ -26,6 +26,9 @@ where it begins there, in thicknesses: its first face may bend."""
 _ACROSS = np.cos(np.radians(2.0))
 """Cosine of the angle up to which a wall is across a face."""
 
+_STEPS = 8
+"""Steps in which a face is followed for as long as the wall is thick."""
+
 _WAYS = tuple((np.cos(way), np.sin(way)) for way in np.radians(np.arange(0.0, 360.0, 45.0)))
 
 
@@ -72,7 +75,31 @@ def is_as_wide_as_thick(solid, wall):
     wall : Witness
         Where the taper is thinnest.
     """
-    return any(_gets_wide(solid, side) for side in (wall, wall.turned))
+    sides = wall, wall.turned
+    return any(_gets_wide(solid, side) for side in sides) or all(_is_as_long(solid, side) for side in sides)
+
+
+def _is_as_long(solid, wall):
+    """Whether its first face is as long, along the way by which the wall gets thicker, as the wall is thick: bool.
+
+    Straight across one flank of a thread, the other one soon ends, however long both are.
+    """
+    face = solid.Faces[wall.face]
+    across = normals((face, solid.Faces[wall.opposite_face]), (wall.point, wall.opposite))
+    if across is None:
+        return False
+    way = _AS_WIDE * wall.distance * _steepest(*across, wall.opposite - wall.point)
+
+    def steps(sense):
+        places = (wall.point + sense * (step + 1) / _STEPS * way for step in range(_STEPS))
+        return next((step for step, place in enumerate(places) if not _is_on(face, place)), _STEPS)
+
+    return steps(1.0) + steps(-1.0) >= _STEPS
+
+
+def _is_on(face, point):
+    place = parameters(face, point)
+    return place is not None and face.isPartOfDomain(*place)
 
 
 def _gets_wide(solid, wall):

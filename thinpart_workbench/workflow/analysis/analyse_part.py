@@ -24,7 +24,7 @@ from ...core.sizing.mesh_hazards import mesh_hazards
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.walls.face_thickness import face_thicknesses, witness_of
-from ...core.walls.facing_faces import facing_faces
+from ...core.walls.near_faces import near_faces
 from ...core.walls.thin_places import LEAST
 from ...core.walls.thinnest_place import MOST_TRIED, WallErrors
 from ...core.walls.thinnest_wall import touching_sample
@@ -256,7 +256,7 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
         return None if is_asked and not part.is_more_than_an_edge(found, places.depth, width >= 1.0) else found, kind
 
     def near(below):
-        return facing_faces(measurement.field.mesh, below, LEAST * places.depth)
+        return near_faces(measurement.field.mesh, below, LEAST * places.depth)
 
     measurement = measurement.with_thinnest_place(confirmed, near if part.can_be_finer else None)
     placed = measurement.thinnest

@@ -7,7 +7,7 @@ from scipy.optimize import minimize
 
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.close_triangles import closest_points_of_triangles, facing_triangles
-from thinpart_workbench.core.walls.facing_faces import facing_faces
+from thinpart_workbench.core.walls.near_faces import near_faces
 
 BOX = np.array([[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6],
                 [3, 0, 4], [3, 4, 7]])
@@ -28,7 +28,7 @@ def mesh_of(*boxes):
 
 def found(mesh, below, least=0.0):
     return [(tuple(sorted((wall.face, wall.opposite_face))), wall.distance)
-            for wall in facing_faces(mesh, lambda: below, least)]
+            for wall in near_faces(mesh, lambda: below, least)]
 
 
 def test_the_sides_of_a_plate_are_found_and_no_others():
@@ -52,7 +52,7 @@ def test_the_search_ends_as_soon_as_a_thin_one_is_known():
     """The distance gets less meanwhile: faces beyond it are not looked for."""
     limit = [60.0]
     mesh, seen = mesh_of(box((50.0, 30.0, 2.0))), []
-    for wall in facing_faces(mesh, lambda: limit[0], 0.0):
+    for wall in near_faces(mesh, lambda: limit[0], 0.0):
         seen.append(wall.distance)
         limit[0] = wall.distance
     assert seen == [pytest.approx(2.0)]

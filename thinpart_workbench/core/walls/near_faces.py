@@ -28,7 +28,7 @@ def neighbours(mesh):
     return np.unique(faces[:, faces[0] != faces[1]], axis=1)
 
 
-def facing_faces(mesh, below, least):
+def near_faces(mesh, below, least):
     """Find pairs of faces that are near each other through the material: yields a Witness of each, the nearest first.
 
     Samples meet a small corner of a part or miss it. Here every two facets are seen, so that no wall is missed because of
