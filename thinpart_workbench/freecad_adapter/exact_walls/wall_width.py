@@ -26,6 +26,9 @@ where it begins there, in thicknesses: its first face may bend."""
 _ACROSS = np.cos(np.radians(2.0))
 """Cosine of the angle up to which a wall is across a face."""
 
+_OF_THREAD = np.radians(59.0)
+"""Angle from which on two sides may be flanks of a thread of 60 degrees."""
+
 _STEPS = 8
 """Steps in which a face is followed for as long as the wall is thick."""
 
@@ -75,14 +78,15 @@ def is_as_wide_as_thick(solid, wall):
     wall : Witness
         Where the taper is thinnest.
     """
-    sides = wall, wall.turned
-    return any(_gets_wide(solid, side) for side in sides) or all(_is_as_long(solid, side) for side in sides)
+    sides, faces = (wall, wall.turned), (solid.Faces[wall.face], solid.Faces[wall.opposite_face])
+    return any(_gets_wide(solid, side) for side in sides) or (
+        wedge_angle(faces, wall) >= _OF_THREAD and all(_is_as_long(solid, side) for side in sides))
 
 
 def _is_as_long(solid, wall):
     """Whether its first face is as long, along the way by which the wall gets thicker, as the wall is thick: bool.
 
-    Straight across one flank of a thread, the other one soon ends, however long both are.
+    Straight across one flank of a thread, the other one soon ends, however long both are: the wall itself is not as wide.
     """
     face = solid.Faces[wall.face]
     across = normals((face, solid.Faces[wall.opposite_face]), (wall.point, wall.opposite))
