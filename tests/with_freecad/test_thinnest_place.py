@@ -266,6 +266,13 @@ def test_a_taper_that_is_narrower_than_thick_is_a_broken_edge(accuracy):
     assert record["thinnest"]["walls_mm"] > 1.5
 
 
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_the_wall_that_has_a_face_of_the_thinnest_place_is_as_thin(accuracy):
+    """No region has both faces of the floor between two pockets: too few samples met it."""
+    record = analysed(floor_between_pockets(), accuracy)
+    assert min(region["min"] for region in record["regions"]["listed"]) == record["thinnest"]["walls_mm"]
+
+
 def test_places_are_counted():
     import Part
 

@@ -10,7 +10,7 @@ from scipy.sparse.csgraph import connected_components
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..descriptors.equal_walls import WallSize, are_equal
 from ..descriptors.region_kinds import REGION_KINDS, TUBE
-from ..descriptors.wall_kinds import PARALLEL
+from ..descriptors.wall_kinds import EDGE, PARALLEL
 from ..mesh.sampling import even_samples
 from ..tolerances import TOLERANCES
 from ..walls.face_thickness import Witness, witness_of
@@ -216,8 +216,9 @@ def with_thinnest(regions, thinnest):
 def with_thinnest_taper(regions, thinnest, face_areas):
     """The same regions; none is thinner than the part's thinnest place, and the first one that has it is as thin.
 
-    So are those that are equal to it, such as the other teeth of a gear. A region most of which is thinner is no wall, but
-    the surface beside an edge of more than `WALL_BELOW`: it is not listed.
+    So are those that are equal to it, such as the other teeth of a gear. Where none has both of its faces, as of a web
+    between a bore and the side of a plate that few samples met, the thinnest that has one of them is that thin there. A
+    region most of which is thinner is no wall, but the surface beside an edge of more than `WALL_BELOW`: it is not listed.
 
     Parameters
     ----------
@@ -230,13 +231,16 @@ def with_thinnest_taper(regions, thinnest, face_areas):
     beside_edges = [region for region in regions.listed if region.median < (1.0 - _CERTAIN) * wall.distance]
     listed = [replace(region, least=max(region.least, wall.distance), median=max(region.median, wall.distance))
               for region in walls]
-    own = [number for number, region in enumerate(listed) if {wall.face, wall.opposite_face} <= set(region.faces)]
-    own.sort(key=lambda number: listed[number].is_slanted != (thinnest.kind != PARALLEL))
-    if own:
+    faces = {wall.face, wall.opposite_face}
+    own = [number for number, region in enumerate(listed) if faces <= set(region.faces)]
+    touching = [] if thinnest.kind == EDGE else [
+        number for number, region in enumerate(listed) if faces & set(region.faces)]
+    if own or touching:
+        first = min(own or touching, key=lambda number: listed[number].is_slanted != (thinnest.kind != PARALLEL))
         sizes = [WallSize.of_region(region, face_areas) for region in listed]
-        listed = [replace(region, least=wall.distance) if are_equal(sizes[own[0]], size) else region
+        listed = [replace(region, least=wall.distance) if own and are_equal(sizes[first], size) else region
                   for region, size in zip(listed, sizes)]
-        listed[own[0]] = replace(listed[own[0]], witness=wall)
+        listed[first] = replace(listed[first], least=wall.distance, witness=wall)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
     others = sum(region.area for region in beside_edges) / float(np.sum(face_areas))
     return replace(regions, listed=_thinnest_first(listed), others=regions.others + len(beside_edges),
